@@ -1,5 +1,6 @@
 package org.palpate.body;
 
+import java.util.Optional;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
@@ -37,6 +38,7 @@ public final class GrownSolids {
   private final double cellY;
   private final double cellZ;
   private final BitCube cells;
+  private final Optional<GrowthStencil> stencil;
   private final IntBox region = new IntBox();
 
   /**
@@ -75,6 +77,7 @@ public final class GrownSolids {
             (bits.sizeY() + 2 * pad) * partsY,
             (bits.sizeZ() + 2 * pad) * partsZ);
     growAll();
+    stencil = GrowthStencil.of(this);
   }
 
   /**
@@ -227,6 +230,13 @@ public final class GrownSolids {
 
   /** Whether a cell is nearer to some solid voxel than the growth. */
   private boolean isNearSolid(int a, int b, int c) {
+    return stencil.isPresent()
+        ? stencil.get().isNearSolid(bits, a, b, c)
+        : isNearSolidOneByOne(a, b, c);
+  }
+
+  /** The same, where a stencil is too large. */
+  private boolean isNearSolidOneByOne(int a, int b, int c) {
     int highZ = Math.min(bits.sizeZ() - 1, highestVoxel(c, 2));
     for (int k = Math.max(0, lowestVoxel(c, 2)); k <= highZ; k++) {
       int highY = Math.min(bits.sizeY() - 1, highestVoxel(b, 1));

@@ -11,7 +11,9 @@ import org.palpate.geometry.Vec3;
  * with minimal jerk, and then stays at the last one. A tremor is added to its motion.
  *
  * <p>At a stop with an aim it also looks at what it moves, and shifts and turns the device until
- * that thing is at its goal, as a person does by eye.
+ * that thing is at its goal, as a person does by eye. It keeps this correction of its grip until it
+ * lets go. If the thing is not at a goal that the hand tries to reach, the hand goes back by a stop
+ * and comes again, up to a number of tries.
  *
  * <p>Each read is the next sample. The motion depends on the stops, on what is seen and on the
  * number of reads, never on a clock or on forces. A session can therefore be repeated. Haptic
@@ -28,6 +30,16 @@ public final class GuidedHand implements HapticDevice {
   private static final double CORRECTION_PER_MS = 0.005;
 
   private static final double NANOS_PER_MS = 1e6;
+
+  /** The farthest that the hand leads a thing that does not follow at a goal, mm and rad. */
+  private static final double LONGEST_LEAD_MM = 0.5;
+
+  private static final double LONGEST_LEAD_RAD = Math.toRadians(1);
+
+  /** A thing that is nearer to a goal that is tried has reached it. */
+  private static final double REACHED_MM = 0.3;
+
+  private static final double REACHED_RAD = Math.toRadians(0.6);
 
   /** The time in which the tremor dies away at a steady stop. */
   private static final double CALMING_SECONDS = 0.3;
@@ -46,10 +58,27 @@ public final class GuidedHand implements HapticDevice {
   /** The pose of the present stop, with the corrections so far. */
   private final Pose corrected = new Pose();
 
+  /** The corrected pose as it was when the hand arrived. */
+  private final Pose arrived = new Pose();
+
+  /** The pose of the next stop, with these corrections. */
+  private final Pose next = new Pose();
+
+  /** The corrections so far, in the frame of the hand. */
+  private final Pose correctionOfGrip = new Pose();
+
   private final Pose error = new Pose();
 
   /** The stop at which the hand is or which it left last, and the time of its arrival there. */
   private int stop;
+
+  /** The stop to which it goes next; the number of stops if it stays. */
+  private int heading;
+
+  private boolean isLeaving;
+
+  /** The number of tries that missed the goal of the present stop. */
+  private int misses;
 
   private double arrivalSeconds;
   private long reads;
@@ -72,6 +101,7 @@ public final class GuidedHand implements HapticDevice {
     }
     this.stops = List.copyOf(stops);
     corrected.set(stops.get(0).pose());
+    arrived.set(corrected);
     this.tremor = tremor;
     this.intervalNanos = intervalNanos;
     correction = Math.min(1, CORRECTION_PER_MS * (intervalNanos / NANOS_PER_MS));
@@ -99,12 +129,13 @@ public final class GuidedHand implements HapticDevice {
     }
     long nanos = reads++ * intervalNanos;
     double seconds = nanos * 1e-9;
-    while (stop + 1 < stops.size() && seconds >= arrivalAtNext()) {
-      arrivalSeconds = arrivalAtNext();
-      corrected.set(stops.get(++stop).pose());
+    leave(seconds);
+    while (isUnderway() && seconds >= arrivalAtNext()) {
+      arrive();
+      leave(seconds);
     }
     Optional<HandStop.Aim> aim = stops.get(stop).aim();
-    if (aim.isPresent()) { // a method reference would be a new object in each sample
+    if (aim.isPresent() && !isLeaving) { // a method reference would be a new object in each sample
       correct(aim.get());
     }
     setPose(seconds);
@@ -117,23 +148,85 @@ public final class GuidedHand implements HapticDevice {
     return ReadStatus.FRESH;
   }
 
+  private boolean isUnderway() {
+    return isLeaving && heading < stops.size();
+  }
+
+  /** Chooses the next stop once the hand has rested at the present one. */
+  private void leave(double seconds) {
+    if (isLeaving || seconds < departure()) {
+      return;
+    }
+    isLeaving = true;
+    Optional<HandStop.Aim> aim = stops.get(stop).aim();
+    int step = stops.get(stop).next();
+    if (aim.isPresent() && aim.get().tries() > 0 && !isReached(aim.get())) {
+      step = ++misses < aim.get().tries() ? -1 : aim.get().otherwise();
+      stops.get(stop).pose().inverseMultiply(arrived, correctionOfGrip);
+    }
+    heading = stop + step;
+  }
+
+  private boolean isReached(HandStop.Aim aim) {
+    errorOf(aim);
+    return shake.length() <= REACHED_MM && twist.length() <= REACHED_RAD;
+  }
+
+  private void arrive() {
+    arrivalSeconds = arrivalAtNext();
+    poseOfNext(corrected);
+    arrived.set(corrected);
+    if (stops.get(stop).buttons() == 0) {
+      correctionOfGrip.setIdentity();
+    }
+    misses = stops.get(stop).buttons() == 0 ? 0 : misses;
+    stop = heading;
+    isLeaving = false;
+  }
+
+  /** Writes the pose of the next stop. A hand that holds something on the way keeps its grip. */
+  private Pose poseOfNext(Pose dest) {
+    Pose planned = stops.get(heading).pose();
+    return stops.get(stop).buttons() == 0
+        ? dest.set(planned)
+        : planned.multiply(correctionOfGrip, dest);
+  }
+
   private double departure() {
     return arrivalSeconds + stops.get(stop).restSeconds();
   }
 
   private double arrivalAtNext() {
-    return departure() + travelSeconds(stops.get(stop).pose(), stops.get(stop + 1).pose());
+    return departure() + travelSeconds(stops.get(stop).pose(), stops.get(heading).pose());
   }
 
   /** Moves the device by a fraction of the motion that brings the visible thing to its goal. */
   private void correct(HandStop.Aim aim) {
+    errorOf(aim);
+    corrected.displace(shake, twist, correction, quaternion, corrected);
+    if (aim.tries() > 0) {
+      limitLead();
+    }
+    stops.get(stop).pose().inverseMultiply(corrected, correctionOfGrip);
+  }
+
+  /** Keeps the hand near the pose of its arrival, or it would press ever harder. */
+  private void limitLead() {
+    arrived.differenceTo(corrected, shake, twist, quaternion);
+    double far = Math.max(shake.length() / LONGEST_LEAD_MM, twist.length() / LONGEST_LEAD_RAD);
+    if (far > 1) {
+      arrived.displace(shake, twist, 1 / far, quaternion, corrected);
+    }
+  }
+
+  /** Computes the motion that brings the visible thing to its goal, about the device. */
+  private void errorOf(HandStop.Aim aim) {
     Pose seen = aim.seen().get();
     aim.goal().rotation.multiply(seen.rotation.conjugate(quaternion), error.rotation);
     error.rotation.rotate(seen.translation, shake);
     aim.goal().translation.sub(shake, error.translation);
     error.transform(corrected.translation, shake).sub(corrected.translation, shake);
     error.rotation.rotationVector(twist);
-    corrected.displace(shake, twist, correction, quaternion, corrected);
   }
 
   private double travelSeconds(Pose from, Pose to) {
@@ -144,10 +237,10 @@ public final class GuidedHand implements HapticDevice {
   private void setPose(double seconds) {
     pose.set(corrected);
     double since = seconds - departure();
-    if (stop + 1 < stops.size() && since > 0) {
+    if (isUnderway() && since > 0) {
       double t = since / (arrivalAtNext() - departure());
       double eased = t * t * t * (10 + t * (6 * t - 15));
-      pose.interpolate(stops.get(stop + 1).pose(), eased, scratch, pose);
+      pose.interpolate(poseOfNext(next), eased, scratch, pose);
     }
   }
 
@@ -157,16 +250,23 @@ public final class GuidedHand implements HapticDevice {
       return 1;
     }
     double calm = (seconds - arrivalSeconds) / CALMING_SECONDS;
-    double after = stop + 1 < stops.size() ? (seconds - departure()) / CALMING_SECONDS : 0;
+    double after = isUnderway() ? (seconds - departure()) / CALMING_SECONDS : 0;
     return Math.max(Math.max(0, 1 - calm), Math.min(1, after));
   }
 
-  /** Returns the time after which the hand stays at its last stop. */
+  /** Whether the hand has rested at its last stop, where it stays. */
+  public boolean hasArrived() {
+    return isLeaving && heading >= stops.size();
+  }
+
+  /** Returns the time after which the hand stays at its last stop if each try succeeds. */
   public double durationSeconds() {
     double seconds = 0;
-    for (int n = 0; n + 1 < stops.size(); n++) {
-      seconds +=
-          stops.get(n).restSeconds() + travelSeconds(stops.get(n).pose(), stops.get(n + 1).pose());
+    int n = 0;
+    for (int to = stops.get(0).next(); to < stops.size(); to += stops.get(n).next()) {
+      seconds += stops.get(n).restSeconds();
+      seconds += travelSeconds(stops.get(n).pose(), stops.get(to).pose());
+      n = to;
     }
     return seconds;
   }

@@ -12,9 +12,10 @@ import org.palpate.geometry.Pose;
  * @param restSeconds how long the hand stays
  * @param isSteady whether the tremor dies away while the hand stays
  * @param aim what the hand corrects by eye while it stays
+ * @param next the number of stops from this to the next: 1 unless some are left out
  */
 public record HandStop(
-    Pose pose, int buttons, double restSeconds, boolean isSteady, Optional<Aim> aim) {
+    Pose pose, int buttons, double restSeconds, boolean isSteady, Optional<Aim> aim, int next) {
 
   /**
    * A thing that the hand moves to its goal by eye.
@@ -22,11 +23,14 @@ public record HandStop(
    * @param seen returns the present pose of the thing, rest to present, world mm; called by the
    *     thread that reads the device
    * @param goal the pose at which it belongs; not to be written
+   * @param tries how often the hand comes to the stop to bring it there; 0 if it goes on in any
+   *     case
+   * @param otherwise the number of stops to the next after the last try has failed
    */
-  public record Aim(Supplier<Pose> seen, Pose goal) {}
+  public record Aim(Supplier<Pose> seen, Pose goal, int tries, int otherwise) {}
 
   /** Creates a stop at which the hand corrects nothing. */
   public HandStop(Pose pose, int buttons, double restSeconds, boolean isSteady) {
-    this(pose, buttons, restSeconds, isSteady, Optional.empty());
+    this(pose, buttons, restSeconds, isSteady, Optional.empty(), 1);
   }
 }

@@ -9,11 +9,13 @@ import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HandStop;
+import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.volume.BitCube;
 
 /**
  * Plans how a hand that knows the truth puts fragments back: it touches each one from outside,
@@ -25,8 +27,17 @@ import org.palpate.rigid.tool.ToolSampler;
  * whose poses change.
  */
 public final class ReductionPlan {
-  /** The most sample points of a fragment that the plan looks at. */
-  private static final int MOST_POINTS = 160;
+  /** The most sample points of a fragment at which rough faces are compared. */
+  private static final int MOST_POINTS = 4000;
+
+  /** The most of them at which the plan looks for a place to touch. */
+  private static final int MOST_TOUCHES = 160;
+
+  /** Fragments that face those in place with this share of the most points may come next. */
+  private static final double FACING_SHARE = 0.25;
+
+  /** The largest distance of points that face each other, voxels. */
+  private static final int FACING_VOXELS = 3;
 
   /**
    * The distance by which a fragment is lifted off and from which it approaches its place, as a
@@ -43,8 +54,27 @@ public final class ReductionPlan {
    */
   private static final double CLEAR_EDGES = 2;
 
+  /** The depth below a touched point that is solid, or the hand would slip off an edge. */
+  private static final double DEEP_EDGES = 2;
+
   private static final double PRESS_SECONDS = 0.4;
+
+  /** The time in which the hand sees how it holds a fragment, before faces meet. */
+  private static final double LOOK_SECONDS = 1;
+
   private static final double SETTLE_SECONDS = 1.2;
+
+  /** The number of times that the hand brings a fragment home before it puts it aside. */
+  private static final int TRIES = 3;
+
+  /** The distance of a fragment that was put aside, as a multiple of the radius of the ball. */
+  private static final double ASIDE = 3;
+
+  /** The stops at which the hand puts a fragment aside. */
+  private static final int STOPS_ASIDE = 4;
+
+  /** The distance from its place to which a fragment goes back for another try, edges. */
+  private static final double NEAR_EDGES = 8;
 
   /** The distance of a path around the bodies, as a multiple of the radius of their ball. */
   private static final double AROUND = 1.15;
@@ -58,6 +88,9 @@ public final class ReductionPlan {
   private final Vec3 middle = new Vec3();
   private final List<HandStop> stops = new ArrayList<>();
   private double radiusMm;
+
+  /** A point at which the hand takes a fragment, and the direction from which it comes. */
+  private record Touch(Vec3 at, Vec3 outward, double score) {}
 
   private ReductionPlan(BodyScene bodies, BodyScene seen) {
     this.bodies = bodies;
@@ -74,8 +107,8 @@ public final class ReductionPlan {
    * Returns the stops of the hand.
    *
    * @param bodies the bodies where they are when the hand begins; the plan moves them
-   * @param truth the pose at which each body belongs, from rest to present; the next body to move
-   *     is always the one that belongs nearest to the bodies in place
+   * @param truth the pose at which each body belongs, from rest to present; of the bodies that face
+   *     those in place, the one with the freest way moves next
    * @param seen the bodies that the hand sees while it carries out the plan, in the same order
    */
   public static List<HandStop> of(BodyScene bodies, List<Pose> truth, BodyScene seen) {
@@ -88,7 +121,7 @@ public final class ReductionPlan {
     }
     plan.stops.add(plan.free(plan.outside(new Vec3(0, 0, 1))));
     while (!left.isEmpty()) {
-      int next = plan.nearestToOthers(left, truth);
+      int next = plan.freest(left, truth);
       left.remove(Integer.valueOf(next));
       plan.putBack(next, truth.get(next));
     }
@@ -103,7 +136,7 @@ public final class ReductionPlan {
   private void measure() {
     List<Vec3> all = new ArrayList<>();
     for (int n = 0; n < bodies.count(); n++) {
-      all.addAll(List.of(points(n, bodies.body(n).pose())));
+      all.addAll(List.of(points(shapes.get(n), bodies.body(n).pose())));
     }
     all.forEach(point -> middle.add(point, middle));
     middle.mul(1.0 / all.size(), middle);
@@ -113,8 +146,7 @@ public final class ReductionPlan {
   }
 
   /** Returns the sample points of a body at a pose, world mm. */
-  private Vec3[] points(int body, Pose pose) {
-    RigidTool shape = shapes.get(body);
+  private static Vec3[] points(RigidTool shape, Pose pose) {
     Vec3 reference = shape.referenceMm(new Vec3());
     Vec3[] points = new Vec3[shape.count()];
     for (int n = 0; n < points.length; n++) {
@@ -124,69 +156,102 @@ public final class ReductionPlan {
     return points;
   }
 
-  /** Returns the body of a list that belongs nearest to those that are not in it. */
-  private int nearestToOthers(List<Integer> left, List<Pose> truth) {
-    int nearest = left.get(0);
-    double least = Double.POSITIVE_INFINITY;
-    for (int candidate : left) {
-      double distance = gapToOthers(candidate, left, truth);
-      if (distance < least) {
-        least = distance;
-        nearest = candidate;
-      }
-    }
-    return nearest;
+  private WayOut wayOut(int fragment, Pose pose) {
+    return new WayOut(bodies, fragment, points(shapes.get(fragment), pose), liftMm());
   }
 
-  /** Returns a typical gap: the tenth part of all points that lies nearest to the others. */
-  private double gapToOthers(int candidate, List<Integer> left, List<Pose> truth) {
-    Vec3[] own = points(candidate, truth.get(candidate));
-    double[] gaps = new double[own.length];
-    Arrays.fill(gaps, Double.POSITIVE_INFINITY);
-    for (int other = 0; other < bodies.count(); other++) {
-      if (other == candidate || left.contains(other)) {
-        continue;
-      }
-      for (Vec3 point : points(other, truth.get(other))) {
-        for (int n = 0; n < own.length; n++) {
-          gaps[n] = Math.min(gaps[n], own[n].sub(point, new Vec3()).length());
+  /** Returns the body of a list that faces those that are not in it and has the freest way. */
+  private int freest(List<Integer> left, List<Pose> truth) {
+    int[] facing = new int[bodies.count()];
+    left.forEach(n -> facing[n] = facing(n, left, truth));
+    int most = Arrays.stream(facing).max().orElse(0);
+    int freest = left.get(0);
+    long least = Long.MAX_VALUE;
+    for (int candidate : left) {
+      if (facing[candidate] >= FACING_SHARE * most) {
+        long blocked = wayOut(candidate, truth.get(candidate)).blocked();
+        if (blocked < least || (blocked == least && facing[candidate] > facing[freest])) {
+          least = blocked;
+          freest = candidate;
         }
       }
     }
-    Arrays.sort(gaps);
-    return gaps[gaps.length / 10];
+    return freest;
+  }
+
+  /** Returns how many points of a fragment in place are near bodies that are not in a list. */
+  private int facing(int fragment, List<Integer> left, List<Pose> truth) {
+    Vec3[] points = points(shapes.get(fragment), truth.get(fragment));
+    AffineMap toGrid = new AffineMap();
+    Vec3 at = new Vec3();
+    int count = 0;
+    for (int other = 0; other < bodies.count(); other++) {
+      if (!left.contains(other)) {
+        Body body = bodies.body(other);
+        body.toolToGrid(truth.get(other), new Pose(), toGrid);
+        for (Vec3 point : points) {
+          count += isNear(body.bits(), toGrid.transform(point, at)) ? 1 : 0;
+        }
+      }
+    }
+    return count;
+  }
+
+  /** Whether a solid voxel lies near a point along an axis of the grid. */
+  private static boolean isNear(BitCube bits, Vec3 grid) {
+    int i = (int) Math.floor(grid.x);
+    int j = (int) Math.floor(grid.y);
+    int k = (int) Math.floor(grid.z);
+    for (int n = -FACING_VOXELS; n <= FACING_VOXELS; n++) {
+      if (bits.get(i + n, j, k) || bits.get(i, j + n, k) || bits.get(i, j, k + n)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   private void putBack(int fragment, Pose truth) {
     Pose start = new Pose().set(bodies.body(fragment).pose());
-    Vec3 up = lines.widest(fragment, points(fragment, start), liftMm());
-    Vec3 away = lines.widest(fragment, points(fragment, truth), liftMm());
-    Pose hand = touch(fragment, start, up);
-    Pose startToHand = inverse(start).multiply(hand, new Pose());
-    hold(lifted(start, up).multiply(startToHand, new Pose()), 0, false);
-    hold(lifted(truth, away).multiply(startToHand, new Pose()), 0, false);
-    Pose there = truth.multiply(startToHand, new Pose());
-    Body led = seen.body(fragment);
-    stops.add(
-        new HandStop(
-            there,
-            DeviceState.FIRST_BUTTON,
-            SETTLE_SECONDS,
-            true,
-            Optional.of(new HandStop.Aim(led::pose, truth))));
-    stops.add(new HandStop(there, 0, PRESS_SECONDS, true));
-    Vec3 outward = there.translation.sub(middle, new Vec3());
-    stops.add(free(outside(outward)));
+    Vec3 up = wayOut(fragment, start).direction();
+    Vec3 away = wayOut(fragment, truth).direction();
+    Touch touch = touch(fragment, start, up);
+    Pose startToHand = inverse(start).multiply(take(touch), new Pose());
+    hold(lifted(start, up, liftMm()).multiply(startToHand, new Pose()), 0, false);
+    lead(fragment, lifted(truth, away, liftMm()), startToHand, LOOK_SECONDS, 0);
+    double nearMm = NEAR_EDGES * bodies.shortestEdgeMm();
+    hold(lifted(truth, away, nearMm).multiply(startToHand, new Pose()), 0, false);
+    Pose there = lead(fragment, truth, startToHand, SETTLE_SECONDS, TRIES);
+    stops.add(letGo(there, 1 + STOPS_ASIDE));
+    hold(lifted(truth, away, liftMm()).multiply(startToHand, new Pose()), 0, false);
+    Pose aside = lifted(truth, away, ASIDE * radiusMm).multiply(startToHand, new Pose());
+    hold(aside, PRESS_SECONDS, true);
+    stops.add(letGo(aside, 1));
+    Vec3 off = aside.rotation.rotate(touch.outward, new Vec3()).mul(liftMm(), new Vec3());
+    stops.add(free(off.add(aside.translation, off)));
+    stops.add(free(outside(there.translation.sub(middle, new Vec3()))));
     bodies.body(fragment).setPose(truth);
+  }
+
+  private static HandStop letGo(Pose pose, int next) {
+    return new HandStop(pose, 0, PRESS_SECONDS, true, Optional.empty(), next);
   }
 
   private void hold(Pose pose, double seconds, boolean isSteady) {
     stops.add(new HandStop(pose, DeviceState.FIRST_BUTTON, seconds, isSteady));
   }
 
-  private Pose lifted(Pose pose, Vec3 direction) {
+  /** Adds a stop at which the hand corrects by eye how it holds a fragment; returns its pose. */
+  private Pose lead(int fragment, Pose goal, Pose startToHand, double seconds, int tries) {
+    Pose hand = goal.multiply(startToHand, new Pose());
+    Optional<HandStop.Aim> aim =
+        Optional.of(new HandStop.Aim(seen.body(fragment)::pose, goal, tries, 2));
+    stops.add(new HandStop(hand, DeviceState.FIRST_BUTTON, seconds, tries > 0, aim, 1));
+    return hand;
+  }
+
+  private static Pose lifted(Pose pose, Vec3 direction, double mm) {
     Pose lifted = new Pose().set(pose);
-    lifted.translation.add(direction.mul(liftMm(), new Vec3()), lifted.translation);
+    lifted.translation.add(direction.mul(mm, new Vec3()), lifted.translation);
     return lifted;
   }
 
@@ -199,15 +264,12 @@ public final class ReductionPlan {
   }
 
   /** Adds the stops that touch a fragment and take hold of it; returns the pose of the hand. */
-  private Pose touch(int fragment, Pose start, Vec3 preferred) {
-    Vec3 at = new Vec3();
-    Vec3 outward = new Vec3().set(preferred);
-    chooseTouch(points(fragment, start), preferred, at, outward);
-    Vec3 far = beyondBall(at, outward);
+  private Pose take(Touch touch) {
+    Vec3 far = beyondBall(touch.at, touch.outward);
     goAround(far);
     stops.add(free(far));
-    Vec3 pressed =
-        outward.mul(-PRESS_EDGES * bodies.shortestEdgeMm(), new Vec3()).add(at, new Vec3());
+    double depthMm = PRESS_EDGES * bodies.shortestEdgeMm();
+    Vec3 pressed = touch.outward.mul(-depthMm, new Vec3()).add(touch.at, new Vec3());
     Pose hand = new Pose().set(pressed, new Quaternion());
     stops.add(new HandStop(hand, 0, PRESS_SECONDS, true));
     hold(hand, PRESS_SECONDS, true);
@@ -215,30 +277,42 @@ public final class ReductionPlan {
   }
 
   /**
-   * Chooses a sample point that a free straight line from outside reaches, and the direction of the
-   * line. Of several it chooses the direction nearest to a preferred one. Without any it chooses
-   * the first point.
+   * Returns a sample point that a free straight line from outside reaches. Of several it takes the
+   * line that is nearest to a preferred direction. Lines away from the middle of the points come
+   * first, then all others. Without any it takes the first point.
    */
-  private void chooseTouch(Vec3[] points, Vec3 preferred, Vec3 at, Vec3 outward) {
-    double clearMm = CLEAR_EDGES * bodies.shortestEdgeMm();
+  private Touch touch(int fragment, Pose start, Vec3 preferred) {
+    Vec3[] points = points(shapes.get(fragment).thinned(MOST_TOUCHES), start);
     Vec3 own = new Vec3();
     for (Vec3 point : points) {
       own.add(point, own);
     }
     own.mul(1.0 / points.length, own);
-    at.set(points[0]);
-    double best = Double.NEGATIVE_INFINITY;
+    Touch best = new Touch(points[0], preferred, Double.NEGATIVE_INFINITY);
     for (Vec3 point : points) {
       Vec3 direction = point.sub(own, new Vec3());
       direction.mul(1 / direction.length(), direction);
-      double score = direction.dot(preferred);
-      Vec3 clear = direction.mul(clearMm, new Vec3()).add(point, new Vec3());
-      if (score > best && lines.isFree(clear, beyondBall(point, direction))) {
-        best = score;
-        at.set(point);
-        outward.set(direction);
+      best = better(fragment, best, new Touch(point, direction, direction.dot(preferred)));
+    }
+    for (int n = 0; n < WayOut.DIRECTIONS && best.score == Double.NEGATIVE_INFINITY; n++) {
+      Vec3 direction = WayOut.direction(n);
+      for (Vec3 point : points) {
+        best = better(fragment, best, new Touch(point, direction, direction.dot(preferred)));
       }
     }
+    return best;
+  }
+
+  /** Returns another touch if the hand can reach it and it has the higher score, else the best. */
+  private Touch better(int fragment, Touch best, Touch other) {
+    double edgeMm = bodies.shortestEdgeMm();
+    Vec3 clear = other.outward.mul(CLEAR_EDGES * edgeMm, new Vec3()).add(other.at, new Vec3());
+    Vec3 deep = other.outward.mul(-DEEP_EDGES * edgeMm, new Vec3()).add(other.at, new Vec3());
+    return other.score > best.score
+            && lines.isSolid(fragment, deep)
+            && lines.isFree(clear, beyondBall(other.at, other.outward))
+        ? other
+        : best;
   }
 
   /** Returns the point on a ray that leaves the ball around all bodies. */

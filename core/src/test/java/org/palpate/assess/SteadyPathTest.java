@@ -76,6 +76,29 @@ class SteadyPathTest {
     assertEquals(List.of(1.0, 2.0, 3.0, 4.0, 5.0, 6.0), means);
   }
 
+  /** The means end before the last sample, which is in the middle of an interval. */
+  @Test
+  void aPieceEndsAtItsLastSample() {
+    for (int n = 0; n <= 2_002; n++) {
+      path.add(n / 1000.0, new Vec3(0, 0, n));
+    }
+    path.endPiece();
+    assertEquals(2_002, path.lengthMm(), 1e-9);
+  }
+
+  @Test
+  void theLongestGapIsFilledAndALongerOneIsNot() {
+    long most = Math.round(SteadyPath.LONGEST_GAP_SECONDS / SteadyPath.INTERVAL_SECONDS);
+    double middle = SteadyPath.INTERVAL_SECONDS / 2;
+    path.add(middle, new Vec3());
+    path.add(middle + most * SteadyPath.INTERVAL_SECONDS, new Vec3(most, 0, 0));
+    path.add(middle + (2 * most + 1) * SteadyPath.INTERVAL_SECONDS, new Vec3());
+    path.endPiece();
+    assertEquals(most + 2, means.size(), "a mean for each interval of the first gap alone");
+    assertEquals(1, means.get(1), 1e-9);
+    assertEquals(2, pieces);
+  }
+
   @Test
   void aLongGapIsAPathButNoMotionForASpectrum() {
     path.add(0, new Vec3(0, 0, 0));

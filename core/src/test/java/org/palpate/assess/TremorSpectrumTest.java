@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.Seeds;
 
@@ -40,6 +41,16 @@ class TremorSpectrumTest {
   void aHandWithoutTremorHasNone() {
     shake(8, 0, 1000, 30);
     assertTrue(spectrum.rmsMm().orElseThrow() < 0.005, spectrum.rmsMm().toString());
+  }
+
+  /** The window spreads a line over its neighbours, so that little of it reaches the band. */
+  @ParameterizedTest
+  @ValueSource(doubles = {2.5, 13.5, 25})
+  void aMotionBesideTheBandIsNoTremor(double hertz) {
+    shake(hertz, 0.3, 1000, 30);
+    assertTrue(spectrum.rmsMm().orElseThrow() < 0.006, spectrum.rmsMm().toString());
+    double peak = spectrum.peakHertz().orElse(8);
+    assertTrue(peak >= 4 && peak <= 12, "peak at " + peak);
   }
 
   @Test

@@ -2,7 +2,10 @@ package org.palpate.body;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.GridMetric;
@@ -39,10 +42,22 @@ class GrownSolidsTest {
     for (GridMetric metric : metrics()) {
       BitCube bits = RandomSolids.clutter(random, 12, 9, 8);
       GrownSolids grown = new GrownSolids(bits, metric, 0.9, 0.6);
+      assertTrue(GrowthStencil.of(grown).isPresent());
       for (int edit = 0; edit < 10; edit++) {
         grown.update(editBox(bits));
         assertIsGrown(bits, grown);
       }
+    }
+  }
+
+  @Test
+  void followsVoxelsAlsoWhereTheStencilWouldBeTooLarge() {
+    BitCube bits = RandomSolids.clutter(random, 5, 4, 4);
+    GrownSolids grown = new GrownSolids(bits, new GridMetric(1, 1, 1), 0.3, 0.13);
+    assertEquals(Optional.empty(), GrowthStencil.of(grown));
+    for (int edit = 0; edit < 4; edit++) {
+      grown.update(editBox(bits));
+      assertIsGrown(bits, grown);
     }
   }
 
@@ -98,7 +113,9 @@ class GrownSolidsTest {
         for (int i = 0; i < cells.sizeX(); i++) {
           double distance = distance(bits, grown, i - padX, j - padY, k - padZ);
           boolean expected = distance < grown.growthMm();
-          assertEquals(expected, cells.get(i, j, k), "cell " + i + " " + j + " " + k);
+          if (expected != cells.get(i, j, k)) {
+            fail("cell " + i + " " + j + " " + k + " is " + !expected);
+          }
         }
       }
     }

@@ -93,6 +93,18 @@ class BroadPhaseTest {
   }
 
   @Test
+  void allCubesMayBeCandidates() {
+    BitCube[] cubes = cubes(6);
+    cubes[0].set(1, 1, 1);
+    IntBox everywhere = new IntBox();
+    everywhere.include(0, 0, 0);
+    everywhere.include(SIZE, SIZE, SIZE);
+    BroadPhase phase = new BroadPhase(cubes);
+    assertEquals(List.of(0, 1, 2, 3, 4, 5), found(phase, everywhere), "seed=" + SEED);
+    assertEquals(0, phase.skippedCubes());
+  }
+
+  @Test
   void queriesWithinTheMarginSearchNoMoreAndMissNothing() {
     BitCube[] cubes = cubes(50);
     BroadPhase phase = new BroadPhase(cubes);
@@ -117,7 +129,7 @@ class BroadPhaseTest {
         IntBox beyond = new IntBox();
         int far = 60 + side * (MARGIN + 1);
         beyond.include(axis == 0 ? far : 60, axis == 1 ? far : 60, axis == 2 ? far : 60);
-        found(fresh, beyond);
+        assertEquals(naive(cubes, beyond), found(fresh, beyond), "seed=" + SEED);
         assertEquals(2, fresh.searches(), "axis " + axis + " side " + side);
       }
     }

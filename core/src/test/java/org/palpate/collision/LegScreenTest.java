@@ -46,7 +46,7 @@ class LegScreenTest {
 
     @Override
     public double emptyAround(int point) {
-      return 0;
+      return 0.25 * point;
     }
   }
 
@@ -77,6 +77,43 @@ class LegScreenTest {
     assertEquals(0, batch.launches);
     assertTrue(isFree(0.5, 0, 0));
     assertEquals(1, batch.launches);
+  }
+
+  @Test
+  void anEarlyHitCountsFewerLegsThanTheLastMotionHad() {
+    isFree(0, 0, 1_000);
+    screen.begin(from, by(4), 0);
+    screen.end(3, false);
+    assertTrue(isFree(0.5, 0, 0), "the motion before had many legs");
+    assertEquals(2, batch.launches);
+    assertFalse(isFree(0.5, 1, 0), "all legs were counted, and there were none");
+    screen.begin(from, by(4), 1);
+    screen.end(200, false);
+    assertTrue(isFree(0.25, 1, 0), "an early hit after many legs");
+    assertEquals(3, batch.launches);
+  }
+
+  @Test
+  void onlyADeviceThatTakesSeveralMotionsIsToldThem() {
+    assertTrue(screen.takesAnnouncements());
+    batch.atOnce = 2;
+    assertTrue(screen.takesAnnouncements());
+    batch.atOnce = 1;
+    assertFalse(screen.takesAnnouncements());
+  }
+
+  @Test
+  void aFirstAnnouncementForgetsTheOthers() {
+    isFree(0, 0, 1_000);
+    announce(4, 2);
+    announce(0.5);
+    assertTrue(isFree(0.5, 0, 1_000));
+    assertEquals(1, batch.motions);
+  }
+
+  @Test
+  void theEmptyCubesAreThoseOfTheBatch() {
+    assertEquals(0.75, screen.emptyAround(3));
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.palpate.device;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -75,7 +76,8 @@ class GuidedHandTest {
     Pose grip = new Pose().set(new Vec3(0, 5, 0), new Quaternion());
     Pose seen = new Pose();
     HandStop aimed =
-        new HandStop(new Pose(), 1, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal)));
+        new HandStop(
+            new Pose(), 1, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal, 0, 1)), 1);
     GuidedHand hand = new GuidedHand(List.of(aimed), Tremor.NONE, 100, MS);
     for (int n = 0; n < 5000; n++) {
       hand.read(state);
@@ -85,6 +87,47 @@ class GuidedHandTest {
     assertEquals(1, Math.abs(seen.rotation.dot(goal.rotation)), 1e-9);
   }
 
+  @Test
+  void comesAgainWhileAThingIsNotAtItsGoalAndThenGoesAnotherWay() {
+    List<Double> visited = visits(new Pose().set(new Vec3(9, 0, 0), new Quaternion()));
+    assertEquals(List.of(0.0, 6.0, 0.0, 6.0, -6.0), visited);
+  }
+
+  @Test
+  void goesOnWhenAThingIsAtItsGoal() {
+    assertEquals(List.of(0.0, 6.0, 3.0, -6.0), visits(new Pose()));
+  }
+
+  /** Returns where a hand rests that tries twice to bring a thing home that stays where it is. */
+  private List<Double> visits(Pose seen) {
+    HandStop.Aim aim = new HandStop.Aim(() -> seen, new Pose(), 2, 2);
+    List<HandStop> stops =
+        List.of(
+            new HandStop(at(0), 1, 0.1, false),
+            new HandStop(at(6), 1, 0.2, false, Optional.of(aim), 1),
+            new HandStop(at(3), 1, 0.1, false),
+            new HandStop(at(-6), 0, 0.1, false));
+    GuidedHand hand = new GuidedHand(stops, Tremor.NONE, 100, MS);
+    List<Double> visited = new ArrayList<>();
+    double last = Double.NaN;
+    int still = 0;
+    for (int n = 0; !hand.hasArrived(); n++) {
+      assertTrue(n < 5000, "the hand arrives");
+      hand.read(state);
+      still = Math.abs(state.positionMm.x - last) < 0.05 ? still + 1 : 0;
+      last = state.positionMm.x;
+      assertTrue(last < 6.51 && last > -6.51, "leads at most by half a mm: " + last);
+      if (still == 50) {
+        visited.add((double) Math.round(last));
+      }
+    }
+    return visited;
+  }
+
+  private static Pose at(double x) {
+    return new Pose().set(new Vec3(x, 0, 0), new Quaternion());
+  }
+
   /** Each look corrects by a fraction, so that the rest falls to 1/e within 200 ms. */
   @ParameterizedTest
   @ValueSource(ints = {1000, 5000, 10_000})
@@ -92,7 +135,8 @@ class GuidedHandTest {
     Pose goal = new Pose().set(new Vec3(3, 0, 0), new Quaternion());
     Pose seen = new Pose();
     HandStop aimed =
-        new HandStop(new Pose(), 9, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal)));
+        new HandStop(
+            new Pose(), 9, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal, 0, 1)), 1);
     GuidedHand hand = new GuidedHand(List.of(aimed), Tremor.NONE, 100, 1000 * MS / hertz);
     for (int n = 0; n < hertz / 5; n++) {
       hand.read(state);

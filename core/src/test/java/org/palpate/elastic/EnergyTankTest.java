@@ -101,6 +101,18 @@ class EnergyTankTest {
     assertEquals(0, force.z, "no motion built it up");
   }
 
+  /** Material that gives way holds no more work than its force does along the path. */
+  @Test
+  void workThatTheMaterialCannotHoldIsLost() {
+    step(0, 1, 0, 0);
+    press(1, -4, 0.06, 0.3);
+    step(0, -4, 0, 0.12);
+    step(0, -4, 0, 1.2);
+    double held = 0.12 * 4;
+    double spring = 1.2 * 1.2 / (2 * COUPLING);
+    assertEquals(1.2 * Math.sqrt(held / spring), force.z, 1e-9);
+  }
+
   /** Forces follow the depth by a stiffness that changes at random. */
   @Test
   void noWalkFromFreeToFreeGains() {

@@ -188,7 +188,7 @@ final class GuidedPlacement {
     for (int n = 0; n < points.length; n++) {
       points[n] = shape.point(n, new Vec3()).add(reference, new Vec3());
     }
-    return new FreeLines(bodies).widest(held, points, 20);
+    return new WayOut(bodies, held, points, 20).direction();
   }
 
   private ToolFrame frame(YieldingHand hand) {

@@ -30,7 +30,7 @@ class ReductionPlanTest {
     List<HandStop> stops = plan();
     List<Pose> led = new ArrayList<>();
     Pose taken = null;
-    for (int n = 1; n < stops.size(); n++) {
+    for (int n = 1; n < stops.size(); n += stops.get(n).next()) {
       boolean held = stops.get(n).buttons() == DeviceState.FIRST_BUTTON;
       if (held && taken == null) {
         taken = stops.get(n).pose();
@@ -45,6 +45,39 @@ class ReductionPlanTest {
     for (Pose way : led) {
       assertTrue(left.removeIf(start -> isInverse(way, start)), "leads nobody home: " + way);
     }
+  }
+
+  @Test
+  void afterTheLastTryTheHandPutsAFragmentAside() {
+    List<HandStop> stops = plan();
+    int asides = 0;
+    for (int n = 0; n < stops.size(); n++) {
+      HandStop home = stops.get(n);
+      if (home.aim().isPresent() && home.aim().get().tries() > 0) {
+        int aside = n + home.aim().get().otherwise();
+        int letsGo = n + home.next();
+        assertEquals(0, stops.get(letsGo).buttons());
+        int after = letsGo + stops.get(letsGo).next();
+        while (stops.get(aside).buttons() != 0) {
+          aside += stops.get(aside).next();
+        }
+        assertEquals(after, aside + 2, "both go on alike");
+        Vec3 far = stops.get(aside).pose().translation.sub(home.pose().translation, new Vec3());
+        assertTrue(far.length() > 80, "is out of the way: " + far);
+        asides++;
+      }
+    }
+    assertEquals(3, asides);
+  }
+
+  @Test
+  void aPointThatLiesInAnotherBodyOnTheWayBlocksIt() {
+    Body block = new Body("block", BlockWithHole.bits(), BlockWithHole.GRID, Mobility.FIXED);
+    BodyScene scene = new BodyScene(List.of(block));
+    Vec3[] inside = {new Vec3(8, 8, 6), new Vec3(8, 8, 6.5)};
+    assertEquals(0, new WayOut(scene, -1, inside, 30).blocked());
+    Vec3[] caught = {new Vec3(8, 8, 6), new Vec3(1.5, 8, 8)};
+    assertTrue(new WayOut(scene, -1, caught, 30).blocked() > 0, "a point is in the block");
   }
 
   /** Returns the motion that leads a held body from one pose of the hand to another. */
@@ -85,7 +118,7 @@ class ReductionPlanTest {
     Body block = new Body("block", BlockWithHole.bits(), BlockWithHole.GRID, Mobility.FIXED);
     FreeLines lines = new FreeLines(new BodyScene(List.of(block)));
     Vec3[] points = {new Vec3(8, 8, 6), new Vec3(8.5, 8.5, 7)};
-    Vec3 way = lines.widest(1, points, 30);
+    Vec3 way = new WayOut(new BodyScene(List.of(block)), -1, points, 30).direction();
     assertTrue(way.z > 0.95, "the hole opens upwards: " + way);
     assertTrue(lines.isFree(points[0], new Vec3(8, 8, 40)));
     assertFalse(lines.isFree(points[0], new Vec3(40, 8, 6)));

@@ -59,9 +59,23 @@ class ClipPlaneTest {
         assertTrue(plane.point().sameBits(POINT));
       }
     }
+    Camera tilted = Camera.seeing(POINT, List.of(), StandardView.FRONT, 1).orbit(0.4, 0.3);
+    ClipPlane facing = Direction.VIEW.through(POINT, tilted).orElseThrow();
+    assertTrue(facing.normal().sameBits(tilted.back()), "a plane of the view faces the viewer");
     Camera back = Camera.seeing(POINT, List.of(), StandardView.BACK, 1);
     assertEquals(
         "(0.0, 1.0, 0.0)", Direction.Y.through(POINT, back).orElseThrow().normal().toString());
+  }
+
+  @Test
+  void aPlaneStaysWhereItWasMadeWhenThePointMovesOn() {
+    Camera camera = Camera.seeing(POINT, List.of(), StandardView.FRONT, 1);
+    for (Direction direction : List.of(Direction.X, Direction.VIEW)) {
+      Vec3 point = new Vec3().set(POINT);
+      ClipPlane plane = direction.through(point, camera).orElseThrow();
+      point.set(0, 0, 0);
+      assertTrue(plane.point().sameBits(POINT), direction.toString());
+    }
   }
 
   @Test

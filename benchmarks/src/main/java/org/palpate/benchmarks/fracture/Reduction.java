@@ -34,7 +34,6 @@ import org.palpate.volume.fracture.PosedBits;
  */
 record Reduction(List<Residual> residuals, int taken, long frames) {
   private static final long FRAME_NANOS = 1_000_000;
-  private static final double FRAMES_PER_SECOND = 1_000;
 
   /** Frames after the last stop of the hand, in which its tremor has ended. */
   private static final int LAST_FRAMES = 500;
@@ -59,11 +58,11 @@ record Reduction(List<Residual> residuals, int taken, long frames) {
             REACH_MM,
             FRAME_NANOS);
     ToolFrame frame = frame(hand, bodies, contact);
-    long frames = Math.round(FRAMES_PER_SECOND * hand.durationSeconds()) + LAST_FRAMES;
     int taken = 0;
     int before = -1;
-    for (long n = 0; n < frames; n++) {
-      frame.run(n * FRAME_NANOS);
+    long frames = 0;
+    for (int left = LAST_FRAMES; left > 0; left -= hand.hasArrived() ? 1 : 0) {
+      frame.run(frames++ * FRAME_NANOS);
       taken += frame.heldBody() >= 0 && before < 0 ? 1 : 0;
       before = frame.heldBody();
     }

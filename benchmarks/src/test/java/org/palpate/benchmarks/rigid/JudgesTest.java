@@ -94,4 +94,38 @@ class JudgesTest {
     assertFalse(keepOut.isFree(at(1.5, 1.5, 1.5)));
     assertFalse(keepOut.isFree(at(0.5, 1.5, 1.5), at(2.5, 1.5, 1.5)));
   }
+
+  /** Grown cells begin before the grid, and there are several for each voxel. */
+  @Test
+  void aKeepOutOfGrownCellsIsAsFarFromALineAsTheClearanceSays() {
+    Clearance clearance = new Clearance(0.5, 0.5, 1);
+    KeepOut keepOut = new KeepOut(dot(), ToolSampler.point(), clearance);
+    Vec3 up = new Vec3(0, 0, 1);
+    double voxelMm = 3.25 - 2;
+    double grownMm = keepOut.distanceFromLineMm(new Vec3(1.5, 3.25, -7), up);
+    assertEquals(voxelMm - 0.5, grownMm, 0.5, "a voxel less its growth");
+    assertTrue(grownMm < voxelMm - 0.2, "the growth counts: " + grownMm);
+    assertEquals(
+        grownMm, keepOut.distanceFromLineMm(new Vec3(1.5, -0.25, -7), up), 1e-9, "on both sides");
+    assertFalse(keepOut.isFree(at(2.2, 1.5, 1.5)), "0.2 mm from the voxel");
+    assertFalse(keepOut.isFree(at(1.5, 0.8, 1.5)), "0.2 mm from the voxel");
+    assertFalse(keepOut.isFree(at(1.5, 1.5, 2.2)), "0.2 mm from the voxel");
+    assertTrue(keepOut.isFree(at(2.9, 1.5, 1.5)));
+  }
+
+  /** The nearest of many cells counts, in whatever order they come. */
+  @Test
+  void aKeepOutOfManyCellsIsAsFarAsTheNearest() {
+    BitCube bits = new BitCube(9, 9, 2);
+    bits.set(0, 0, 0);
+    bits.set(4, 1, 1);
+    bits.set(8, 1, 1);
+    bits.set(8, 8, 0);
+    KeepOut keepOut = new KeepOut(SurfaceScene.scene(bits), ToolSampler.point(), Clearance.POINTS);
+    Vec3 up = new Vec3(0, 0, 1);
+    assertEquals(1.3, keepOut.distanceFromLineMm(new Vec3(6.3, 1.5, 0), up), 1e-9);
+    assertEquals(1.4, keepOut.distanceFromLineMm(new Vec3(6.6, 1.5, 0), up), 1e-9);
+    assertEquals(Math.hypot(1, 2), keepOut.distanceFromLineMm(new Vec3(7, 6, 0), up), 1e-9);
+    assertEquals(0.5, keepOut.distanceFromLineMm(new Vec3(0.5, 1.5, 0), up), 1e-9);
+  }
 }

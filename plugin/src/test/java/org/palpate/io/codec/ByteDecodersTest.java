@@ -42,6 +42,7 @@ class ByteDecodersTest {
       if (random.nextInt(5) == 0) {
         int one = in.read();
         if (one < 0) {
+          assertEquals(-1, in.read(piece, 3, 1), "the end is the end for several bytes too");
           return all.toByteArray();
         }
         all.write(one);

@@ -24,19 +24,24 @@ class ValueStatisticsTest {
 
   private static ValueStatistics.Summary summary(
       VoxelType type, Optional<LabelTable> table, Values values) {
+    return summary(20, 10, type, table, values);
+  }
+
+  private static ValueStatistics.Summary summary(
+      int sizeX, int sizeY, VoxelType type, Optional<LabelTable> table, Values values) {
     VolumeHeader header =
         new VolumeHeader(
             "test",
-            VoxelGrid.ofUnitVoxels(20, 10, 2),
+            VoxelGrid.ofUnitVoxels(sizeX, sizeY, 2),
             type,
             ValueRange.of(type),
             CoordinateSystem.LPS,
             table,
             List.of());
     ValueStatistics statistics = new ValueStatistics(header);
-    VoxelSlice slice = new VoxelSlice(20, 10, type.fitsInt());
+    VoxelSlice slice = new VoxelSlice(sizeX, sizeY, type.fitsInt());
     for (int n = 0; n < slice.count(); n++) {
-      double value = values.at(n % 20, n / 20);
+      double value = values.at(n % sizeX, n / sizeX);
       if (type.fitsInt()) {
         slice.integers()[n] = (int) value;
       } else {
@@ -59,6 +64,16 @@ class ValueStatisticsTest {
       assertEquals(List.of(1L, 2L, 3L), found.labels(), "" + type);
       assertEquals(0, found.low());
       assertEquals(3, found.high());
+    }
+  }
+
+  /** The median label of pairs is followed by itself half the time, and here a third of it. */
+  @Test
+  void labelsFillRegionsAlongX() {
+    int[] hardlyFlat = {1, 1, 2, 2, 3, 3, 1, 2, 3};
+    for (VoxelType type : List.of(VoxelType.UINT8, VoxelType.INT32)) {
+      assertEquals(List.of(1L, 2L, 3L), summary(type, (i, j) -> i / 2 % 4).labels(), "" + type);
+      assertEquals(List.of(), summary(type, (i, j) -> hardlyFlat[i % 9]).labels(), "" + type);
     }
   }
 
@@ -124,6 +139,17 @@ class ValueStatisticsTest {
   }
 
   @Test
+  void aTableDeclaresUpTo1024Labels() {
+    Optional<LabelTable> declares = Optional.of(LabelTable.EMPTY);
+    for (VoxelType type : List.of(VoxelType.UINT16, VoxelType.INT32)) {
+      Values most = (i, j) -> Math.min(1023, 205 * j + i) + 1;
+      Values tooMany = (i, j) -> 205 * j + i + 1;
+      assertEquals(1024, summary(205, 5, type, declares, most).labels().size(), "" + type);
+      assertEquals(List.of(), summary(205, 5, type, declares, tooMany).labels(), "" + type);
+    }
+  }
+
+  @Test
   void valuesThatAreNotFiniteAreCountedAndNoExtremes() {
     ValueStatistics.Summary found =
         summary(
@@ -139,13 +165,33 @@ class ValueStatisticsTest {
 
   @Test
   void thresholdsSeparateThreeMatters() {
-    ValueStatistics.Summary found =
-        summary(VoxelType.INT16, (i, j) -> (i < 7 ? -900 : i < 14 ? 100 : 1500) + j);
-    double tissue = found.thresholds().get(0);
-    double bone = found.thresholds().get(1);
-    assertTrue(tissue > -891 && tissue <= 100, "tissue from " + tissue);
-    assertTrue(bone > 109 && bone <= 1500, "bone from " + bone);
-    assertTrue(found.hounsfield());
-    assertFalse(summary(VoxelType.INT16, (i, j) -> (i < 7 ? -800 : 100) + j).hounsfield());
+    for (VoxelType type : List.of(VoxelType.INT16, VoxelType.FLOAT32)) {
+      ValueStatistics.Summary found =
+          summary(type, (i, j) -> (i < 7 ? -900 : i < 14 ? 100 : 1500) + j);
+      double tissue = found.thresholds().get(0);
+      double bone = found.thresholds().get(1);
+      assertTrue(tissue > -891 && tissue <= 100, type + ": tissue from " + tissue);
+      assertTrue(bone > 109 && bone <= 1500, type + ": bone from " + bone);
+    }
+  }
+
+  @Test
+  void aCtScanHasAirWaterAndBoneAndNotMuchElse() {
+    assertTrue(isHounsfield((i, j) -> (i < 7 ? -900 : i < 14 ? 100 : 1500) + j));
+    assertFalse(isHounsfield((i, j) -> (i < 7 ? -800 : i < 14 ? 100 : 1500) + j), "no air");
+    assertFalse(isHounsfield((i, j) -> i < 7 ? -1000 : i < 14 ? 250 : 1500), "no water");
+    assertFalse(isHounsfield((i, j) -> i < 7 ? -1000 : 100), "no bone");
+    assertFalse(isHounsfield((i, j) -> padded(i, 12)), "padding in most voxels");
+    assertTrue(isHounsfield((i, j) -> padded(i, 9)));
+  }
+
+  private static double padded(int i, int padding) {
+    return i < padding ? -2000 : i < 15 ? -1000 : i < 18 ? 0 : 1000;
+  }
+
+  private static boolean isHounsfield(Values values) {
+    boolean exact = summary(VoxelType.INT16, values).hounsfield();
+    assertEquals(exact, summary(VoxelType.FLOAT32, values).hounsfield());
+    return exact;
   }
 }

@@ -67,6 +67,12 @@ class CsvLinesTest {
   }
 
   @Test
+  void aWordBeyondTheEndOfAShortRowIsEmpty() {
+    assertEquals("1", CsvLines.word(new String[] {" 1 "}, 0));
+    assertEquals("", CsvLines.word(new String[] {" 1 "}, 1));
+  }
+
+  @Test
   void whatIsNoTableIsRefusedWithWhatToGive() throws IOException {
     refuses("the path is a folder: %s: give a table with a,b", folder);
     refuses("no such file: %s: check the path", folder.resolve("none.csv"));

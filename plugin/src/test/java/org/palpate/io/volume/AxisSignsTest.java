@@ -44,7 +44,10 @@ class AxisSignsTest {
             7,
             new Vec3(0.5, 1, 2),
             new RigidTransform(
-                new Vec3(0, 1, 0), new Vec3(-1, 0, 0), new Vec3(0, 0, 1), new Vec3(3, 4, 5)));
+                new Vec3(0, 0.6, 0.8),
+                new Vec3(-1, 0, 0),
+                new Vec3(0, -0.8, 0.6),
+                new Vec3(3, 4, 5)));
     VoxelGrid other =
         AxisSigns.convert(grid, CoordinateSystem.LPS, CoordinateSystem.RAS).orElseThrow();
     assertEquals(5, other.sizeX());
