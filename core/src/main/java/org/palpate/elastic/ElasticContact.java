@@ -16,7 +16,8 @@ import org.palpate.proxy.ProxySolver;
  * <p>In each frame the material gives way to the force by the answers of the newest field. The
  * solver then follows a device position in material coordinates. When a new field comes, the device
  * is shifted by as much as the field carries the point, so that the force makes no step; the shift
- * decays over some {@link #DECAY_FRAMES} frames.
+ * decays over some {@link #DECAY_FRAMES} frames of a millisecond, or as many more as frames are
+ * shorter.
  *
  * <p>Haptic thread; allocates nothing after construction.
  */
@@ -25,10 +26,9 @@ public final class ElasticContact {
   static final int DECAY_FRAMES = 20;
 
   private static final int BALANCE_STEPS = 2;
+  private static final double NANOS_PER_MS = 1e6;
 
   private static final Vec3 ORIGIN = new Vec3();
-
-  private static final double KEPT_SHIFT = 1 - 1.0 / DECAY_FRAMES;
 
   private final GridMetric metric;
   private final FieldExchange fields;
@@ -56,6 +56,9 @@ public final class ElasticContact {
   private final Vec3 forceNewton = new Vec3();
   private final Vec3 deviceMm = new Vec3();
 
+  /** The part of the shift that a frame leaves. */
+  private double keptShift = 1 - 1.0 / DECAY_FRAMES;
+
   /** Whether the point was kept from its device in the last frame. */
   private boolean pressed;
 
@@ -82,6 +85,22 @@ public final class ElasticContact {
   /** Returns the map in use; for checks of the field after a frame. */
   DeformationMap map() {
     return map;
+  }
+
+  /**
+   * Sets the pace of frames and returns this; call it before the first one. The pace is not
+   * measured, so that a session replays to its bits.
+   *
+   * @param sampleNanos the usual time between two samples; a longer one counts as a millisecond
+   */
+  public ElasticContact paced(long sampleNanos) {
+    keptShift = 1 - 1.0 / frames(DECAY_FRAMES, sampleNanos / NANOS_PER_MS);
+    return this;
+  }
+
+  /** Returns how many frames take as long as some of a millisecond. */
+  static int frames(int ofMillisecond, double frameMs) {
+    return (int) Math.round(ofMillisecond / Math.min(1, frameMs));
   }
 
   /** Tells a listener which fields come into use. */
@@ -117,7 +136,7 @@ public final class ElasticContact {
     if (fields.hasNew()) {
       useNewField(point);
     }
-    shift.mul(KEPT_SHIFT, shift);
+    shift.mul(keptShift, shift);
     deviceGrid.add(shift, device);
     if (pressed) {
       balance(point, newtonPerMm);

@@ -27,7 +27,7 @@ public final class SynchronousUpdates {
    */
   public SynchronousUpdates(ElasticBody body, double frameMs) {
     this.body = body;
-    framesAPeriod = (int) Math.round(FRAMES / Math.min(1, frameMs));
+    framesAPeriod = ElasticContact.frames(FRAMES, frameMs);
   }
 
   /** Updates the body if a period is over. Call it before each frame. */

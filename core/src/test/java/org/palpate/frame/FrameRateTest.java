@@ -26,6 +26,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.testing.Floor;
 import org.palpate.testing.ScriptedDevice;
+import org.palpate.volume.BitCube;
 
 /** Frames at 1, 5 and 10 kHz: what the hand feels does not depend on the rate. */
 class FrameRateTest {
@@ -82,6 +83,11 @@ class FrameRateTest {
   }
 
   private static double slide(PointFrame frame, ScriptedDevice device, int hertz) {
+    return slide(frame, device, hertz, () -> {});
+  }
+
+  private static double slide(
+      PointFrame frame, ScriptedDevice device, int hertz, Runnable beforeFrame) {
     double sum = 0;
     for (int n = 0; n < hertz; n++) {
       double t = (double) n / hertz;
@@ -93,6 +99,7 @@ class FrameRateTest {
             state.timeNanos = Math.round(t * SECOND);
             return ReadStatus.FRESH;
           };
+      beforeFrame.run();
       frame.run(Math.round(t * SECOND));
       sum += frame.forceNewton().length() / hertz;
     }
@@ -129,6 +136,35 @@ class FrameRateTest {
       frame.run(n * SECOND / hertz);
     }
     return -frame.forceNewton().z;
+  }
+
+  /** Presses into a soft layer on a base that stands still, slides, and returns the mean force. */
+  private double slideOnSoftLayer(int hertz) {
+    BitCube base = new BitCube(Floor.EDGE, Floor.EDGE, Floor.EDGE);
+    BitCube layer = Floor.bits();
+    for (int n = 0; n < Floor.EDGE * Floor.EDGE * 2; n++) {
+      int i = n % Floor.EDGE;
+      int j = n / Floor.EDGE % Floor.EDGE;
+      base.set(i, j, n / (Floor.EDGE * Floor.EDGE));
+      layer.clear(i, j, n / (Floor.EDGE * Floor.EDGE));
+    }
+    ElasticSegment soft = new ElasticSegment(layer, new ElasticMaterial(20e3, 0.4));
+    ElasticBody body =
+        new ElasticBody(
+            new ControlLattice(Floor.METRIC, List.of(soft), List.of(base), 4), Floor.METRIC);
+    SynchronousUpdates updates = new SynchronousUpdates(body, 1000.0 / hertz);
+    ScriptedDevice device = ScriptedDevice.at(8, 16, 12);
+    PointFrame frame = frame(device, ForceSettings.of(0.5, 0.3));
+    frame.deform(body.contact().paced(SECOND / hertz));
+    return slide(frame, device, hertz, updates::beforeFrame);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {5000, 10_000})
+  void aSlideOnASoftLayerHasTheSameMeanForce(int hertz) {
+    double slow = slideOnSoftLayer(1000);
+    assertTrue(slow > 0.05, "it presses: " + slow);
+    assertEquals(slow, slideOnSoftLayer(hertz), 0.01 * slow);
   }
 
   @ParameterizedTest

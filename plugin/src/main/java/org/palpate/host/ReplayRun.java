@@ -165,8 +165,9 @@ public final class ReplayRun {
     PointFrame frame =
         scene.newFrame(gridDevice, frameSettings(scene, contact, raw), FramePublisher.NONE);
     observer.ifPresent(frame::observe);
+    long frameNanos = Math.round(frameMs(trajectory) * NANOS_PER_MS);
     Optional<ElasticBody> body = elastic.map(segments -> segments.bodies().get());
-    body.ifPresent(made -> frame.deform(made.contact()));
+    body.ifPresent(made -> frame.deform(made.contact().paced(frameNanos)));
     Runnable updates = elastic.map(e -> e.updates().apply(body.orElseThrow())).orElse(() -> {});
     Vec3 point = new Vec3();
     Vec3 force = new Vec3();

@@ -120,12 +120,12 @@ public final class TouchSession implements AutoCloseable {
     grid = scene.grid();
     edits = scene.edits();
     cuts = scene.carve().isPresent();
-    tuning =
-        new ContactTuning(
-            frame, scene, frameSettings.force(), specification, settings.elastic().isPresent());
     Runnable warmUp = warmUp(scene, frameSettings, settings);
     elastic = settings.elastic().map(Supplier::get);
-    elastic.ifPresent(body -> frame.deform(body.contact()));
+    long sampleNanos = Math.max(settings.loop().periodNanos(), specification.reportIntervalNanos());
+    elastic.ifPresent(body -> frame.deform(body.contact().paced(sampleNanos)));
+    tuning =
+        new ContactTuning(frame, scene, frameSettings.force(), specification, elastic.isPresent());
     elastic.ifPresent(
         body ->
             settings
