@@ -156,7 +156,7 @@ public final class StabilityStudy {
 
   /** Sweeps needles and rods with mass, with devices by name and both grips. */
   public List<MarginRow<ToolTrial>> heldTools() {
-    List<Held> tools = List.of(Held.NEEDLE, Held.rod(20), Held.rod(20, 0.05), Held.rod(20, 0.3));
+    List<Held> tools = List.of(Held.NEEDLE, Held.rod(20, 0.05), Held.rod(20, 0.3));
     List<MarginRow<ToolTrial>> rows = new ArrayList<>();
     for (Held tool : tools) {
       for (DeviceModel device : quick ? DeviceModel.KNOWN.subList(0, 2) : DeviceModel.KNOWN) {
