@@ -4,16 +4,20 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
+import org.palpate.testing.Floor;
+import org.palpate.volume.ScalarVolume;
 
 class ContactForceTest {
   private static final long SEED = Long.getLong("palpate.seed", 20130613);
   private static final GridMetric UNIT = new GridMetric(1, 1, 1);
-  private static final GridMetric CT = new GridMetric(1, 1, 2);
+  private static final GridMetric CT = new GridMetric(0.8, 1.25, 2);
 
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 force = new Vec3();
@@ -22,8 +26,8 @@ class ContactForceTest {
   void theCouplingIsMetric() {
     ContactForce contact = new ContactForce(CT, ForceSettings.of(0.5, 0.2));
     point.position.set(10, 10, 10);
-    contact.compute(point, new Vec3(9, 10, 8), force);
-    assertEquals("(0.5, 0.0, 2.0)", force.toString());
+    contact.compute(point, new Vec3(9, 8, 8), force);
+    assertEquals("(0.4, 1.25, 2.0)", force.toString());
   }
 
   @Test
@@ -103,6 +107,109 @@ class ContactForceTest {
     }
   }
 
+  @Test
+  void framesWithoutFrictionAreCounted() {
+    ContactForce without = new ContactForce(UNIT, ForceSettings.of(1, 0));
+    slide(point, UNIT, 3, 0, 0, true);
+    without.compute(point, new Vec3(3, 0, -4), force);
+    assertEquals(1, without.frictionSkipped(), "mu is 0");
+    ContactForce rough = new ContactForce(UNIT, ForceSettings.of(1, 0.3));
+    rough.compute(point, new Vec3(3, 0, -4), force);
+    assertEquals(0, rough.frictionSkipped());
+    point.legs.clear();
+    slide(point, UNIT, 4, 0, 0, false);
+    rough.compute(point, new Vec3(3, 0, -4), force);
+    assertEquals(1, rough.frictionSkipped(), "nothing slid");
+  }
+
+  /** Presses 0.01 mm deeper in each millisecond and returns the last force. */
+  private double pressSteadily(ContactForce contact, double fromZ) {
+    point.contact = true;
+    for (int n = 1; n <= 100; n++) {
+      contact.compute(point, new Vec3(0, 0, fromZ - 0.01 * n), 1_000_000, force);
+    }
+    return force.z;
+  }
+
+  @Test
+  void dampingFollowsTheSettingsOfTheFrame() {
+    ForceSettings plain = ForceSettings.of(1, 0);
+    ForceSettings damped =
+        new ForceSettings(new Material(1, 0, 0, 0.01), FrictionForm.EQUATION_4, true, List.of());
+    ContactForce contact = new ContactForce(UNIT, damped);
+    assertEquals(2 + 0.01 * 10, pressSteadily(contact, -1), 1e-6, "10 mm/s");
+    contact.change(plain);
+    assertEquals(3, pressSteadily(contact, -2), 1e-12);
+    contact.change(damped);
+    assertEquals(4 + 0.01 * 10, pressSteadily(contact, -3), 1e-6);
+  }
+
+  @Test
+  void dampingOfGreyValuesStaysWhenTheSettingsChange() {
+    ScalarVolume values = ScalarVolume.of(Floor.GRID, ScalarVolume.Storage.INT16);
+    ContactForce contact = new ContactForce(UNIT, ForceSettings.of(1, 0));
+    contact.use(new GreyMaterials(values, List.of(new GreyMaterials.Row(0, 1, 0, 0.01))));
+    assertEquals(2 + 0.01 * 10, pressSteadily(contact, -1), 1e-6);
+    contact.change(ForceSettings.of(1, 0));
+    assertEquals(3 + 0.01 * 10, pressSteadily(contact, -2), 1e-6);
+  }
+
+  private static ForceSettings ofObjects(double... stiffnesses) {
+    List<Material> materials = new ArrayList<>();
+    for (double stiffness : stiffnesses) {
+      materials.add(new Material(stiffness, 0, 0, 0));
+    }
+    return new ForceSettings(
+        new Material(1, 0, 0, 0), FrictionForm.EQUATION_4, true, List.copyOf(materials));
+  }
+
+  private double press(ContactForce contact, int object, double x) {
+    point.contact = true;
+    point.touchedObject = object;
+    point.position.set(x, 0, 0);
+    contact.compute(point, new Vec3(x, 0, -2), 1_000_000, force);
+    return force.z;
+  }
+
+  @Test
+  void anotherObjectIsFeltAsFarAsTheHandMoves() {
+    ContactForce contact = new ContactForce(UNIT, ofObjects(0.5, 1));
+    assertEquals(1, press(contact, 0, 30));
+    assertEquals(1, press(contact, 0, 30));
+    double atRest = press(contact, 1, 30);
+    assertTrue(atRest > 1 && atRest < 1.1, "a hand at rest far from the origin: " + atRest);
+    assertEquals(2, press(contact, 1, 36), 1e-12);
+  }
+
+  @Test
+  void changedSettingsAreFeltAtOnce() {
+    ContactForce contact = new ContactForce(UNIT, ofObjects(0.5));
+    press(contact, 0, 30);
+    assertEquals(1, press(contact, 0, 30));
+    contact.change(ofObjects(1.5));
+    assertEquals(3, press(contact, 0, 30));
+    assertEquals(1.5, contact.stiffnessNewtonPerMm());
+    assertTrue(contact.settings().distinguishesObjects());
+  }
+
+  @Test
+  void aJumpOfThePointIsLimitedUnlessTheFrameBeforeHadNoLimit() {
+    for (boolean pauses : new boolean[] {false, true}) {
+      ContactForce contact = new ContactForce(UNIT, ForceSettings.of(1, 0));
+      Vec3 device = new Vec3(0, 0, -1);
+      point.position.set(0, 0, 0);
+      point.limitsForceRate = true;
+      contact.compute(point, device, 1_000_000, force);
+      point.limitsForceRate = !pauses;
+      contact.compute(point, device, 1_000_000, force);
+      assertEquals(1, force.z);
+      point.limitsForceRate = true;
+      point.position.set(0, 0, 5);
+      contact.compute(point, device, 1_000_000, force);
+      assertTrue(pauses ? force.z == 6 : force.z < 1.1, "force " + force);
+    }
+  }
+
   /** The reference computes n by Gram-Schmidt, not the root of a difference. */
   @Test
   void agreesWithFrictionByAnExplicitNormal() {
@@ -130,7 +237,7 @@ class ContactForceTest {
 
   private static Vec3 byExplicitNormal(InteractionPoint moved, Vec3 device) {
     Vec3 coupling = moved.position.sub(device, new Vec3());
-    coupling.set(0.5 * coupling.x, 0.5 * coupling.y, 0.5 * 2 * coupling.z);
+    coupling.set(0.5 * 0.8 * coupling.x, 0.5 * 1.25 * coupling.y, 0.5 * 2 * coupling.z);
     Vec3 v = new Vec3();
     double slid = 0;
     for (int leg = 0; leg < moved.legs.count(); leg++) {
@@ -138,7 +245,7 @@ class ContactForceTest {
         slid += moved.legs.lengthMm(leg);
         for (int axis = 0; axis < 3; axis++) {
           double along = moved.legs.end(leg, axis) - moved.legs.start(leg, axis);
-          v.set(axis, v.get(axis) + along * (axis == 2 ? 2 : 1));
+          v.set(axis, v.get(axis) + along * (axis == 0 ? 0.8 : axis == 1 ? 1.25 : 2));
         }
       }
     }

@@ -21,6 +21,7 @@ import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.testing.Floor;
 import org.palpate.testing.Seeds;
+import org.palpate.volume.ScalarVolume;
 
 /** A plate that lies on a floor, held with a stiffness of 0.5 N/mm. */
 class ToolForceTest {
@@ -46,8 +47,12 @@ class ToolForceTest {
 
   /** Presses the plate onto the floor and lets it settle. */
   private void hold(ForceSettings settings) {
+    hold(new ToolForce(plate, 1, RigidCoupling.of(plate, STIFFNESS), settings));
+  }
+
+  private void hold(ToolForce newForce) {
     solver = new RigidSolver(bodies, plate, RigidSettings.ofWholeBodies(8, bodies, plate));
-    toolForce = new ToolForce(plate, 1, RigidCoupling.of(plate, STIFFNESS), settings);
+    toolForce = newForce;
     device.setIdentity();
     device.translation.set(16, 16, 14);
     solver.place(device, motion);
@@ -196,5 +201,77 @@ class ToolForceTest {
       frame(MS);
     }
     assertTrue(force.x < -0.25 * force.z, "force " + force);
+  }
+
+  private double stretchMm() {
+    return motion.pose().translation.z - device.translation.z;
+  }
+
+  @Test
+  void aResetForgetsTheAnchors() {
+    hold(MU, SLIDING, 0);
+    for (int n = 0; n < 10; n++) {
+      device.translation.x += 0.02;
+      frame(MS);
+    }
+    assertTrue(force.x < -0.05, "it sticks: " + force);
+    toolForce.reset();
+    frame(MS);
+    assertEquals(0, force.x, 1e-6);
+  }
+
+  @Test
+  void aHandThatTakesOverHasNoSpeedYet() {
+    hold(0, 0, 0.005);
+    moving(-0.02);
+    assertTrue(force.z > STIFFNESS * stretchMm() + 0.05, "it is damped: " + force);
+    toolForce.takeOver();
+    device.translation.z -= 0.02;
+    frame(MS);
+    assertEquals(STIFFNESS * stretchMm(), force.z, 1e-9);
+    double before = force.z;
+    frame(MS);
+    assertEquals(before, force.z, 1e-9, "a hand at rest");
+  }
+
+  /** Tilts the hand by 1 rad/s and returns the torque. */
+  private double tilted() {
+    for (int n = 1; n <= 40; n++) {
+      device.rotation.setRotationVector(new Vec3(0.001 * n, 0, 0));
+      frame(MS);
+    }
+    return torque.length();
+  }
+
+  @Test
+  void dampingResistsATurnByTheSquaredRadiusOfTheTool() {
+    hold(0, 0, 0);
+    double plain = tilted();
+    hold(0, 0, 0.005);
+    double damped = tilted();
+    double expected = 0.005 * plate.rmsRadiusMm() * plate.rmsRadiusMm();
+    assertEquals(expected, damped - plain, 0.1 * expected, plain + " to " + damped);
+    for (int n = 0; n < 60; n++) {
+      frame(MS);
+    }
+    assertTrue(torque.length() < damped - 0.8 * expected, "at rest nothing is damped: " + torque);
+  }
+
+  /** The values rise by 100 a voxel, and the stiffness with them. */
+  @Test
+  void theGreyValueAnEdgeBelowTheContactGivesTheMaterial() {
+    ScalarVolume values = ScalarVolume.of(Floor.GRID, ScalarVolume.Storage.INT16);
+    for (int n = 0; n < 32 * 32 * 32; n++) {
+      values.set(n % 32, n / 32 % 32, n / 1024, 100 * (n / 1024));
+    }
+    List<GreyMaterials.Row> rows =
+        List.of(new GreyMaterials.Row(0, 0, 0, 0), new GreyMaterials.Row(3000, 1, 0, 0));
+    ToolForce greys =
+        new ToolForce(plate, 1, RigidCoupling.of(plate, STIFFNESS), ForceSettings.of(STIFFNESS, 0));
+    greys.use(new GreyMaterials(values, rows));
+    hold(greys);
+    double contactZ = motion.pose().translation.z + motion.contacts().position(0, new Vec3()).z;
+    double factor = 100 * (contactZ - 1 - 0.5) / 3000;
+    assertEquals(factor * STIFFNESS * stretchMm(), force.z, 1e-3 * force.z);
   }
 }
