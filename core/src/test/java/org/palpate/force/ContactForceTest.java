@@ -142,6 +142,9 @@ class ContactForceTest {
     assertEquals(3, pressSteadily(contact, -2), 1e-12);
     contact.change(damped);
     assertEquals(4 + 0.01 * 10, pressSteadily(contact, -3), 1e-6);
+    ContactForce later = new ContactForce(UNIT, plain);
+    later.change(damped);
+    assertEquals(2 + 0.01 * 10, pressSteadily(later, -1), 1e-6);
   }
 
   @Test

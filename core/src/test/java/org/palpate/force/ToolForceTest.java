@@ -196,6 +196,14 @@ class ToolForceTest {
     hold(new ForceSettings(general, FrictionForm.CONE, true, List.of(floorAlone)));
     double stretch = motion.pose().translation.z - device.translation.z;
     assertEquals(2 * STIFFNESS * stretch, force.z, 1e-9);
+    device.rotation.setRotationVector(new Vec3(0.02, 0, 0));
+    frame(MS);
+    Vec3 plain = new Vec3();
+    Vec3 plainTorque = new Vec3();
+    RigidCoupling.of(plate, STIFFNESS).compute(motion.pose(), device, plain, plainTorque);
+    assertTrue(Math.abs(plainTorque.x) > 0.01, "it resists the turn: " + plainTorque);
+    assertEquals(2 * plainTorque.x, torque.x, 0.2 * Math.abs(torque.x));
+    device.rotation.setIdentity();
     for (int n = 0; n < 100; n++) {
       device.translation.x += 0.02;
       frame(MS);
@@ -210,14 +218,50 @@ class ToolForceTest {
   @Test
   void aResetForgetsTheAnchors() {
     hold(MU, SLIDING, 0);
+    stick();
+    toolForce.reset();
+    frame(MS);
+    assertEquals(0, force.x, 1e-6);
+  }
+
+  /** Drags the plate a little, so that its friction pulls back. */
+  private void stick() {
     for (int n = 0; n < 10; n++) {
       device.translation.x += 0.02;
       frame(MS);
     }
     assertTrue(force.x < -0.05, "it sticks: " + force);
-    toolForce.reset();
+  }
+
+  @Test
+  void frictionEndsWhereThePlateIsLifted() {
+    hold(MU, SLIDING, 0);
+    stick();
+    double pressedAt = device.translation.z;
+    device.translation.z = 14;
+    for (int n = 0; n < 20; n++) {
+      frame(MS);
+    }
+    assertEquals(0, force.length(), 1e-6, "in free space");
+    while (device.translation.z > pressedAt) {
+      device.translation.z -= 0.1;
+      frame(MS);
+    }
+    assertEquals(0, force.x, 0.01, "the next contact begins with a new anchor");
+  }
+
+  @Test
+  void frictionThatWasSwitchedOffBeginsAnew() {
+    hold(MU, SLIDING, 0);
+    stick();
+    toolForce.change(ForceSettings.of(STIFFNESS, 0));
     frame(MS);
-    assertEquals(0, force.x, 1e-6);
+    assertEquals(0, force.x, 1e-6, "smooth");
+    toolForce.change(
+        new ForceSettings(
+            new Material(STIFFNESS, MU, SLIDING, 0), FrictionForm.CONE, true, List.of()));
+    frame(MS);
+    assertEquals(0, force.x, 1e-6, "the anchors are new");
   }
 
   @Test
@@ -251,10 +295,9 @@ class ToolForceTest {
     double damped = tilted();
     double expected = 0.005 * plate.rmsRadiusMm() * plate.rmsRadiusMm();
     assertEquals(expected, damped - plain, 0.1 * expected, plain + " to " + damped);
-    for (int n = 0; n < 60; n++) {
-      frame(MS);
-    }
-    assertTrue(torque.length() < damped - 0.8 * expected, "at rest nothing is damped: " + torque);
+    toolForce.takeOver();
+    frame(MS);
+    assertEquals(plain, torque.length(), 0.1 * expected, "another hand has not turned yet");
   }
 
   /** The values rise by 100 a voxel, and the stiffness with them. */

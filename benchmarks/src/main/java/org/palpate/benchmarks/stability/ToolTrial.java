@@ -65,7 +65,7 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, Held h
       new NeedleTissue(layers(BONE_LAYERS, TISSUE_LAYERS), 0.5, 0.1, 0.02);
 
   /**
-   * What the hand holds.
+   * The tool that the hand holds.
    *
    * @param name the name in tables
    * @param lengthMm the distance between the centres of the caps
