@@ -317,4 +317,12 @@ class ToolForceTest {
     double factor = 100 * (contactZ - 1 - 0.5) / 3000;
     assertEquals(factor * STIFFNESS * stretchMm(), force.z, 1e-3 * force.z);
   }
+
+  @Test
+  void aCouplingWithoutStiffnessGivesNoForce() {
+    ForceSettings soft = ForceSettings.of(0, 0);
+    hold(new ToolForce(plate, 1, RigidCoupling.of(plate, 0), soft));
+    assertEquals(0, force.length());
+    assertEquals(0, torque.length());
+  }
 }
