@@ -83,6 +83,9 @@ final class ContactConstraints {
   private final double[] normalX = new double[CAPACITY];
   private final double[] normalY = new double[CAPACITY];
   private final double[] normalZ = new double[CAPACITY];
+  private final double[] atX = new double[CAPACITY];
+  private final double[] atY = new double[CAPACITY];
+  private final double[] atZ = new double[CAPACITY];
   private final double[] heightMm = new double[CAPACITY];
   private final int[] raises = new int[CAPACITY];
   private final boolean[] face = new boolean[CAPACITY];
@@ -135,6 +138,17 @@ final class ContactConstraints {
   int surfaceContact(int ofBody, int ofPoint) {
     for (int c = 0; c < count; c++) {
       if (point[c] == ofPoint && body[c] == ofBody && !face[c]) {
+        return c;
+      }
+    }
+    return -1;
+  }
+
+  /** Returns the index of a surface contact with a body within a distance of a position, or -1. */
+  int contactAt(int ofBody, Vec3 at, double withinMm) {
+    for (int c = 0; c < count; c++) {
+      double square = at(c, scratch).sub(at, scratch).dot(scratch);
+      if (body[c] == ofBody && !face[c] && square < withinMm * withinMm) {
         return c;
       }
     }
@@ -202,6 +216,9 @@ final class ContactConstraints {
     point[c] = ofPoint;
     face[c] = isFace;
     raises[c] = 0;
+    atX[c] = at.x;
+    atY[c] = at.y;
+    atZ[c] = at.z;
     normalX[c] = n.x;
     normalY[c] = n.y;
     normalZ[c] = n.z;
@@ -309,6 +326,11 @@ final class ContactConstraints {
   /** Whether the point of a contact is near the surface or the face. */
   boolean isNear(int c) {
     return heightMm[c] < NEAR_EDGES * edgeMm;
+  }
+
+  /** Writes where a contact touches, in the frame of what moves, mm. */
+  Vec3 at(int c, Vec3 dest) {
+    return dest.set(atX[c], atY[c], atZ[c]);
   }
 
   /** Writes the normal along which a contact pushes what moves, unit, world axes. */

@@ -475,19 +475,12 @@ final class MoverVerifier {
     return sum;
   }
 
-  /** Writes the grid coordinates of a point of a pair, at present. */
-  Vec3 gridPosition(int number, int point, Vec3 dest) {
-    BodyVerifier pair = pair(number);
-    return pair.from.transform(pair.points.shape.point(point, dest), dest);
-  }
-
-  /** Writes the position of a point of a pair in the frame of this one, mm. */
-  Vec3 ownPosition(int number, int point, Vec3 dest) {
+  /** Writes a position in the frame of a pair's points in the frame of this one, mm. */
+  Vec3 ownPosition(int number, Vec3 position, Vec3 dest) {
     Mover points = pair(number).points;
-    points.shape.point(point, dest);
     return points == mover
-        ? dest
-        : mover.pose.inverseTransform(points.pose.transform(dest, dest), dest);
+        ? dest.set(position)
+        : mover.pose.inverseTransform(points.pose.transform(position, dest), dest);
   }
 
   /**

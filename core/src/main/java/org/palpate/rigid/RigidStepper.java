@@ -4,6 +4,7 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.SampleNeighbours;
 
 /**
  * Moves a tool towards a target by verified steps. A step is proposed such that the known contacts
@@ -27,14 +28,11 @@ final class RigidStepper {
   /** The smallest fraction of a blocked proposal that is tried. */
   private static final double SMALLEST_FRACTION = 0.05;
 
-  /**
-   * The number of points on either side of a contact among which a lower one is searched. Points
-   * that are near in the order of the tree are near in space.
-   */
-  private static final int NEIGHBOURING_POINTS = 48;
-
   /** The least difference of height at which a point counts as lower, edges. */
   private static final double LOWER_EDGES = 0.1;
+
+  /** Contacts of a curved surface that are nearer to each other count as one, edges. */
+  private static final double SAME_PLACE_EDGES = 0.25;
 
   /** The shortest path of a lift that is proposed, edges. */
   private static final double SHORTEST_LIFT_EDGES = 1e-3;
@@ -289,8 +287,9 @@ final class RigidStepper {
   private void begin(double riseMm) {
     contacts.begin(verifier.pose(), depthMm);
     for (int n = 0; n < kept.count(); n++) {
-      int contact = addSurface(kept.body[n], kept.point[n], riseMm);
-      if (contact >= 0 && n < kept.active()) {
+      int before = contacts.count();
+      int contact = addKeptSurface(kept.body[n], kept.point[n], riseMm);
+      if (contact == before && n < kept.active()) {
         addRollingContact(contact, riseMm);
       }
     }
@@ -314,40 +313,53 @@ final class RigidStepper {
    * the next point before that point meets a voxel.
    */
   private void addRollingContact(int contact, double riseMm) {
-    int point = contacts.point[contact];
     int body = contacts.body[contact];
     Mover points = verifier.pair(body).points;
     Vec3 normal = contacts.normal(contact, position);
     normal.mul(verifier.pushSign(body), normal);
     points.pose.rotation.inverseRotate(normal, normal);
-    int lowest = point;
-    double least = along(normal, points.shape, point) - LOWER_EDGES * edgeMm;
-    int last = Math.min(points.shape.count() - 1, point + NEIGHBOURING_POINTS);
-    for (int n = Math.max(0, point - NEIGHBOURING_POINTS); n <= last; n++) {
-      double height = along(normal, points.shape, n);
-      if (height < least) {
-        least = height;
-        lowest = n;
-      }
-    }
-    if (lowest != point && contacts.surfaceContact(body, lowest) < 0) {
-      addSurface(body, lowest, riseMm);
+    int lowest =
+        SampleNeighbours.lowest(
+            points.shape, contacts.point[contact], normal, LOWER_EDGES * edgeMm);
+    if (contacts.surfaceContact(body, lowest) < 0) {
+      addKeptSurface(body, lowest, riseMm);
     }
   }
 
-  private static double along(Vec3 direction, RigidTool points, int n) {
-    return direction.x * points.x(n) + direction.y * points.y(n) + direction.z * points.z(n);
+  /**
+   * Adds a contact with the surface near a point. If the tool is curved there, the contact passes
+   * to the sample point that is nearest to it, and contacts at the same place count as one. Returns
+   * the index of the contact at that place; -1 if there is no surface.
+   */
+  private int addKeptSurface(int body, int point, double riseMm) {
+    if (!findSurface(body, point)) {
+      return -1;
+    }
+    ContactField field = verifier.field(body);
+    if (field.evaluations == 1) {
+      return addFound(body, point, riseMm);
+    }
+    int same = contacts.contactAt(body, own, SAME_PLACE_EDGES * edgeMm);
+    int nearest = SampleNeighbours.nearest(verifier.pair(body).points.shape, point, field.at);
+    boolean isNew = contacts.surfaceContact(body, nearest) < 0;
+    return same >= 0 ? same : addFound(body, isNew ? nearest : point, riseMm);
   }
 
   private int addSurface(int body, int point, double riseMm) {
-    budget.countField();
-    verifier.gridPosition(body, point, position);
+    return findSurface(body, point) ? addFound(body, point, riseMm) : -1;
+  }
+
+  private boolean findSurface(int body, int point) {
     ContactField field = verifier.field(body);
-    if (!field.evaluate(position, verifier.pair(body).level(point))) {
-      return -1;
-    }
+    boolean found = field.touch(verifier.pair(body), point);
+    budget.countField(field.evaluations);
+    verifier.ownPosition(body, field.at, own);
+    return found;
+  }
+
+  private int addFound(int body, int point, double riseMm) {
+    ContactField field = verifier.field(body);
     field.normal.mul(verifier.pushSign(body), push);
-    verifier.ownPosition(body, point, own);
     return contacts.addSurface(body, point, own, push, field.heightMm, riseMm);
   }
 
@@ -438,7 +450,8 @@ final class RigidStepper {
     position.set(axis, hits.side[hit]);
     verifier.pair(body).solid.body.gridDirectionToWorld(position, push);
     push.mul(verifier.pushSign(body), push);
-    verifier.ownPosition(body, hits.point[hit], own);
+    verifier.pair(body).points.shape.point(hits.point[hit], position);
+    verifier.ownPosition(body, position, own);
     return contacts.addFace(body, hits.point[hit], own, push, hits.gapMm[hit]);
   }
 
@@ -469,9 +482,11 @@ final class RigidStepper {
       double multiplier = contacts.multiplier(c);
       if (multiplier >= 0) {
         kept.add(contacts.body[c], contacts.point[c]);
-        contacts.normal(c, position);
-        verifier.ownPosition(contacts.body[c], contacts.point[c], own);
-        motion.contacts.add(verifier.other(contacts.body[c]), own, position, multiplier);
+        motion.contacts.add(
+            verifier.other(contacts.body[c]),
+            contacts.at(c, own),
+            contacts.normal(c, position),
+            multiplier);
       }
     }
     kept.endActive();

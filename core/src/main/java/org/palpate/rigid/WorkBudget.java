@@ -39,9 +39,9 @@ final class WorkBudget {
     otherWork += SOLVE_COST;
   }
 
-  /** Counts an evaluation of the field. */
-  void countField() {
-    otherWork += FIELD_COST;
+  /** Counts evaluations of the field. */
+  void countField(int evaluations) {
+    otherWork += evaluations * FIELD_COST;
   }
 
   /** Counts the points that a complete verification tested. */

@@ -77,6 +77,7 @@ class RigidAccuracyTest {
         p -> p.sub(new Vec3(48, 48, 48), new Vec3()));
     assertTrue(slide.rmsDegrees() < 1.5, "rms " + slide.rmsDegrees());
     assertTrue(slide.changeQuantile(0.99) < 1, "p99 of change " + slide.changeQuantile(0.99));
+    assertTrue(slide.torqueQuantile(0.99) < 1, "p99 of torque " + slide.torqueQuantile(0.99));
   }
 
   @Test
@@ -116,12 +117,16 @@ class RigidAccuracyTest {
     private final Vec3 force = new Vec3();
     private final Vec3 lastForce = new Vec3();
     private final Vec3 torque = new Vec3();
+    private final Vec3 lastTorque = new Vec3();
+    private final double[] torqueChanges = new double[FRAMES];
+    private final double rmsRadiusMm;
     private int counted;
     private double squaredDegrees;
 
     Slide(BodyScene scene, RigidTool tool) {
       solver = solver(scene, tool);
       coupling = RigidCoupling.of(tool, 1);
+      rmsRadiusMm = tool.rmsRadiusMm();
     }
 
     void run(IntFunction<Pose> device, UnaryOperator<Vec3> normalAt) {
@@ -138,8 +143,10 @@ class RigidAccuracyTest {
         }
         last.set(pose.translation);
         lastForce.set(force);
+        lastTorque.set(torque);
       }
       Arrays.sort(changes, 0, counted);
+      Arrays.sort(torqueChanges, 0, counted);
       assertEquals(FRAMES - 81, counted);
     }
 
@@ -147,11 +154,18 @@ class RigidAccuracyTest {
       double cosine = force.dot(normal) / (force.length() * normal.length());
       double degrees = Math.toDegrees(Math.acos(Math.min(1, cosine)));
       squaredDegrees += degrees * degrees;
-      changes[counted++] = force.sub(lastForce, lastForce).length() / motionMm;
+      changes[counted] = force.sub(lastForce, lastForce).length() / motionMm;
+      double torqueChange = torque.sub(lastTorque, lastTorque).length() / rmsRadiusMm;
+      torqueChanges[counted++] = torqueChange / motionMm;
     }
 
     double rmsDegrees() {
       return Math.sqrt(squaredDegrees / counted);
+    }
+
+    /** Returns a quantile of the change of torque, as a force at the rms radius. */
+    double torqueQuantile(double q) {
+      return torqueChanges[(int) (q * counted)];
     }
 
     double changeQuantile(double q) {

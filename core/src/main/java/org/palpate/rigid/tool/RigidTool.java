@@ -90,6 +90,18 @@ public final class RigidTool implements PointSet {
     return dest.set(x[index], y[index], z[index]);
   }
 
+  /**
+   * Writes the lowest point, along a direction, of the curved surface around a sample point. Only
+   * shapes know their surface; for other tools that is the sample point itself.
+   *
+   * @param up unit, tool frame
+   * @param dest written, tool frame, mm
+   */
+  public Vec3 lowestNear(int index, Vec3 up, Vec3 dest) {
+    point(index, dest);
+    return solid == null ? dest : solid.lowestNear(dest, up, coverRadiusMm, dest);
+  }
+
   /** Returns the tree of bounding spheres over the sample points. */
   public SphereTree tree() {
     return tree;

@@ -16,6 +16,17 @@ import org.palpate.geometry.Vec3;
 public record RodShape(
     double radius, double lowZ, double highZ, boolean roundLow, boolean roundHigh)
     implements ToolShape {
+  /** A sample is on the side if its squared distance from the axis lacks at most this part. */
+  private static final double ON_SIDE = 1e-9;
+
+  /**
+   * The lowest point is searched within this angle around a sample. Beyond it, in a hole that is
+   * hardly wider than the rod, contacts would leave the wall that they touch.
+   */
+  private static final double REACH_RAD = 0.32;
+
+  /** Directions with a smaller part across the axis count as being along it. */
+  private static final double LEAST_ACROSS = 0.1;
 
   /**
    * Checks radius and length.
@@ -154,6 +165,41 @@ public record RodShape(
     } else {
       sampleDisk(highZ, step, sink);
     }
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * <p>The surface is curved at the round ends, which are one if they make a ball, and along the
+   * circles of the side. A direction along the axis leaves no lowest point of a circle.
+   */
+  @Override
+  public Vec3 lowestNear(Vec3 sample, Vec3 up, double withinMm, Vec3 dest) {
+    boolean isBall = length() == 0;
+    boolean isLow = roundLow && sample.z <= lowZ && (isBall || up.z >= 0);
+    boolean isHigh = roundHigh && sample.z >= highZ && (isBall || up.z <= 0);
+    double x = sample.x;
+    double y = sample.y;
+    double z = sample.z;
+    double across = Math.sqrt(up.x * up.x + up.y * up.y);
+    if (isLow || isHigh) {
+      dest.set(-radius * up.x, -radius * up.y, (isLow ? lowZ : highZ) - radius * up.z);
+    } else if (across >= LEAST_ACROSS && (isOnSide(sample) || z < lowZ || z > highZ)) {
+      double inside = Math.max(lowZ, Math.min(highZ, z));
+      dest.set(-radius / across * up.x, -radius / across * up.y, inside);
+    } else {
+      return dest.set(sample);
+    }
+    double reach = Math.max(withinMm, REACH_RAD * radius);
+    return squaredDistance(dest, x, y, z) <= reach * reach ? dest : dest.set(x, y, z);
+  }
+
+  private static double squaredDistance(Vec3 p, double x, double y, double z) {
+    return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y) + (p.z - z) * (p.z - z);
+  }
+
+  private boolean isOnSide(Vec3 p) {
+    return p.x * p.x + p.y * p.y >= radius * radius * (1 - ON_SIDE);
   }
 
   /** Samples from the pole to the equator, which belongs to the side if there is one. */

@@ -48,8 +48,7 @@ public final class ToolSampler {
     Vec3 reference = mass.centroidMm();
     PointList points = new PointList();
     eroded.sampleSurface(coverRadiusMm, points);
-    ToolSolid solid =
-        (a, b, c) -> eroded.contains(a + reference.x, b + reference.y, c + reference.z);
+    ToolSolid solid = new ShapeSolid(eroded, reference);
     return new RigidTool(
         points.relativeTo(reference), mass.metric(), coverRadiusMm, reference, solid);
   }

@@ -39,6 +39,19 @@ public sealed interface ToolShape permits BoxShape, RodShape {
   Optional<ToolShape> eroded(double depthMm);
 
   /**
+   * Writes the lowest point, along a direction, of the curved surface around a sample. That is the
+   * sample itself where the surface is flat, or lower farther away.
+   *
+   * @param sample a sample of the surface, mm
+   * @param up unit
+   * @param withinMm the least distance from the sample within which to search
+   * @param dest written; may be {@code sample}
+   */
+  default Vec3 lowestNear(Vec3 sample, Vec3 up, double withinMm, Vec3 dest) {
+    return dest.set(sample);
+  }
+
+  /**
    * Samples the surface so that each point of it lies within a distance of a sample. Makes about
    * {@code areaMm2() / (2 coverRadiusMm^2)} samples.
    *

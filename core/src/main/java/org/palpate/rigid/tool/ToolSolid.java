@@ -1,8 +1,22 @@
 package org.palpate.rigid.tool;
 
+import org.palpate.geometry.Vec3;
+
 /** The closed solid that a tool's points were sampled from, in the tool frame. Immutable. */
 @FunctionalInterface
 public interface ToolSolid {
   /** Whether the solid holds the point, tool frame, mm. */
   boolean contains(double x, double y, double z);
+
+  /**
+   * Writes the lowest point, along a direction, of the curved surface around a sample point. That
+   * is the sample point itself where the surface is not known to be curved, or lower farther away.
+   *
+   * @param sample a sample point, tool frame, mm
+   * @param up unit, tool frame
+   * @param withinMm the least distance from the sample within which to search
+   */
+  default Vec3 lowestNear(Vec3 sample, Vec3 up, double withinMm, Vec3 dest) {
+    return dest.set(sample);
+  }
 }

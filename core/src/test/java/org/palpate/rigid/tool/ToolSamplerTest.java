@@ -97,6 +97,31 @@ class ToolSamplerTest {
     return direction.mul(near, direction).add(inside, direction);
   }
 
+  @ParameterizedTest
+  @MethodSource("shapes")
+  void noSurfacePointLiesLowerThanTheLowestAroundTheSamples(ToolShape shape) {
+    RigidTool tool = ToolSampler.ofShape(shape, 0.7);
+    Vec3 reference = tool.referenceMm(new Vec3());
+    Vec3 p = new Vec3();
+    for (int direction = 0; direction < 20; direction++) {
+      Vec3 up = surfacePoint(RodShape.sphere(1));
+      double lowest = Double.POSITIVE_INFINITY;
+      for (int n = 0; n < tool.count(); n++) {
+        double ofSample = tool.point(n, p).dot(up);
+        double around = tool.lowestNear(n, up, p).dot(up);
+        assertTrue(around <= ofSample + 1e-9, shape + " along " + up);
+        assertTrue(touches(shape, p.add(reference, p)), shape + " at " + p);
+        lowest = Math.min(lowest, around);
+      }
+      // Along the axis of a rod, circles of its side count as the samples on them.
+      double most = Math.hypot(up.x, up.y) < 0.1 ? 0.02 : 1e-6;
+      for (int n = 0; n < 500; n++) {
+        Vec3 q = surfacePoint(shape).sub(reference, new Vec3());
+        assertTrue(q.dot(up) >= lowest - most, shape + " along " + up + " at " + q);
+      }
+    }
+  }
+
   private static double nearest(RigidTool tool, Vec3 p) {
     double least = Double.POSITIVE_INFINITY;
     for (int n = 0; n < tool.count(); n++) {
