@@ -155,27 +155,6 @@ class ToolForceAxesTest {
     assertTrue(Math.hypot(last[0], last[1]) < 0.25 * last[2], "a twist hardly drags");
   }
 
-  /**
-   * Each contact keeps its own anchor: the springs act at the contacts' distances from the axis.
-   */
-  @ParameterizedTest
-  @CsvSource({"0", "1", "2"})
-  void aStuckPlateResistsATwistByTheSpringOfEachContact(int times) {
-    Session session = new Session(cyclic(times), new Material(STIFFNESS, 9, 9, 0));
-    for (int n = 1; n <= 10; n++) {
-      session.hand.rotation.setRotationVector(new Vec3(0, 0, 0.002 * n));
-      session.frame();
-    }
-    ToolContacts contacts = session.motion.contacts();
-    double expected = 0;
-    Vec3 at = new Vec3();
-    for (int n = 0; n < contacts.count(); n++) {
-      contacts.position(n, at);
-      expected -= STIFFNESS * contacts.share(n) * (at.x * at.x + at.y * at.y) * 0.02;
-    }
-    assertEquals(expected, session.felt()[5], -0.1 * expected);
-  }
-
   private static double[] drag(double x, double y) {
     return new double[] {0.02 * x, 0.02 * y, 0, 0, 0, 0};
   }
