@@ -56,9 +56,37 @@ public record MovableShapes(List<RigidTool> shapes, OptionalDouble marginMm) {
     for (int n = 0; n < scene.count(); n++) {
       Body body = scene.body(n);
       boolean moves = body.mobility() == Mobility.MOVABLE;
-      shapes.add(moves ? ToolSampler.ofErodedSegment(body.bits(), body.grid(), depthMm) : null);
+      shapes.add(moves ? shape(body, depthMm) : null);
     }
     return shapes;
+  }
+
+  private static RigidTool shape(Body body, double depthMm) {
+    double edgeMm = longestEdgeMm(body, depthMm);
+    return ToolSampler.ofErodedSegment(body.bits(), body.grid(), depthMm, edgeMm);
+  }
+
+  /**
+   * Returns the longest edge of the voxels that are sampled, mm. With at most half the depth, parts
+   * of one volume of cubes are free where they fit, because no sampled voxel touches one that is as
+   * large and borders on the other part.
+   */
+  private static double longestEdgeMm(Body body, double depthMm) {
+    double edgeMm = body.metric().shortestEdgeMm();
+    while (depthMm > 0 && edgeMm > 0.5 * depthMm) {
+      edgeMm /= 2;
+    }
+    return depthMm > 0 ? edgeMm : Double.POSITIVE_INFINITY;
+  }
+
+  /**
+   * Returns the memory that the shape of a movable body takes while it is made, bytes.
+   *
+   * @param marginMm as for {@link #ofWholeBodies}
+   */
+  public static double bytesFor(Body body, double marginMm) {
+    double edgeMm = longestEdgeMm(body, Math.max(0, -marginMm));
+    return ToolSampler.bytesOfEdges(body.bits(), body.grid(), edgeMm);
   }
 
   /** Returns the clearance of sample points from a body. */

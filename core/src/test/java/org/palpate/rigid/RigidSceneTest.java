@@ -4,7 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
@@ -13,6 +16,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 class RigidSceneTest {
@@ -74,5 +78,31 @@ class RigidSceneTest {
       assertEquals(x == -0.5 ? x : x - 1, block.pose().translation.x);
     }
     assertEquals(2, solver.bodies().heldBack());
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {-0.5, -0.4, -0.25})
+  void partsOfOneVolumeKeepANegativeMarginWhereTheyFit(double marginMm) {
+    SplittableRandom random = new SplittableRandom(Double.hashCode(marginMm));
+    VoxelGrid grid = VoxelGrid.ofUnitVoxels(12, 12, 24);
+    BitCube low = new BitCube(12, 12, 24);
+    BitCube high = new BitCube(12, 12, 24);
+    for (int k = 2; k < 22; k++) {
+      for (int j = 2; j < 10; j++) {
+        for (int i = 2; i < 10; i++) {
+          (k + random.nextInt(7) < 15 ? low : high).set(i, j, k); // pits and steps of six voxels
+        }
+      }
+    }
+    BodyScene scene =
+        new BodyScene(
+            List.of(
+                new Body("low", low, grid, Mobility.FIXED),
+                new Body("high", high, grid, Mobility.MOVABLE)));
+    MovableShapes shapes = MovableShapes.ofWholeBodies(scene, marginMm);
+    RigidScene rigid =
+        new RigidScene(scene, ToolSampler.point(), shapes, RigidSettings.of(4, Clearance.POINTS));
+    assertEquals(0, rigid.verifier(1).pair(0).reducedCount());
+    assertTrue(shapes.shapes().get(1).count() > 1000);
   }
 }

@@ -16,7 +16,6 @@ import org.palpate.rigid.Clearance;
 import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.tool.ErodedAwayException;
 import org.palpate.rigid.tool.RigidTool;
-import org.palpate.rigid.tool.ToolSampler;
 
 /**
  * A rigid tool that was made as the user asked, and the clearance that it keeps.
@@ -100,7 +99,7 @@ public record MadeTool(
       double halfDiagonalMm = body.grid().spacingMm().length() / 2;
       bytes += bytesFor(body, new Clearance(halfDiagonalMm, halfDiagonalMm, 2));
       if (body.mobility() == Mobility.MOVABLE) {
-        bytes += ToolSampler.bytesFor(body.bits(), body.grid(), Math.max(0, -clearance.marginMm()));
+        bytes += MovableShapes.bytesFor(body, clearance.marginMm());
       }
     }
     MemoryCheck.require(bytes, "the clearance of bodies that move", "--poses");

@@ -80,11 +80,22 @@ public final class ToolSampler {
    * @throws ErodedAwayException if no point of the segment is that deep
    */
   public static RigidTool ofErodedSegment(BitCube bits, VoxelGrid grid, double depthMm) {
+    return ofErodedSegment(bits, grid, depthMm, longestEdgeMm(depthMm));
+  }
+
+  /**
+   * Samples an eroded segment as {@link #ofErodedSegment(BitCube, VoxelGrid, double)} does, but
+   * more densely if wanted.
+   *
+   * @param longestEdgeMm the longest edge of the voxels whose centres are sampled, mm
+   */
+  public static RigidTool ofErodedSegment(
+      BitCube bits, VoxelGrid grid, double depthMm, double longestEdgeMm) {
     if (bits.solidCount() == 0) {
       throw new IllegalArgumentException("the tool's segment has no voxels");
     }
     VoxelSolid whole = new VoxelSolid(bits, grid).cropped();
-    VoxelSolid sampled = whole.refined(longestEdgeMm(depthMm));
+    VoxelSolid sampled = whole.refined(longestEdgeMm);
     if (depthMm > 0) {
       sampled = sampled.eroded(depthMm);
     }
@@ -101,7 +112,12 @@ public final class ToolSampler {
 
   /** Returns the memory that a tool of a segment takes while it is made, bytes. */
   public static double bytesFor(BitCube bits, VoxelGrid grid, double depthMm) {
-    return new VoxelSolid(bits, grid).refinedBytes(longestEdgeMm(depthMm));
+    return bytesOfEdges(bits, grid, longestEdgeMm(depthMm));
+  }
+
+  /** Returns the same for voxels whose edges are at most as long as given, mm. */
+  public static double bytesOfEdges(BitCube bits, VoxelGrid grid, double longestEdgeMm) {
+    return new VoxelSolid(bits, grid).refinedBytes(longestEdgeMm);
   }
 
   /** Returns the memory that a tool of a closed mesh takes while it is made, bytes. */
