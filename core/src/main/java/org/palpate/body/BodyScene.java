@@ -2,12 +2,14 @@ package org.palpate.body;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.palpate.geometry.Pose;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /** The bodies of a scene, in the order in which results number them. Haptic thread only. */
 public final class BodyScene {
   private final Body[] bodies;
+  private final List<Pose> poses;
   private final double shortestEdgeMm;
 
   /** Creates a scene of at least one body. */
@@ -17,10 +19,18 @@ public final class BodyScene {
     }
     this.bodies = bodies.toArray(new Body[0]);
     double shortest = Double.POSITIVE_INFINITY;
+    List<Pose> all = new ArrayList<>();
     for (Body body : bodies) {
+      all.add(body.pose());
       shortest = Math.min(shortest, body.metric().shortestEdgeMm());
     }
+    poses = List.copyOf(all);
     shortestEdgeMm = shortest;
+  }
+
+  /** Returns the pose of each body; it follows the body and is not to be written. */
+  public List<Pose> poses() {
+    return poses;
   }
 
   /** Returns the number of bodies. */

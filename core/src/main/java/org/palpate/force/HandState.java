@@ -1,5 +1,6 @@
 package org.palpate.force;
 
+import java.util.List;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -45,6 +46,12 @@ public final class HandState {
 
   /** The index of the body in hand; -1 if the hand holds the tool. */
   public int heldBody = -1;
+
+  /**
+   * The pose of each body, from rest to present, world mm; not to be written. Empty for a point,
+   * whose bodies stay at rest.
+   */
+  public List<Pose> bodyPoses = List.of();
 
   /** The time since the last frame that computed a force, s; 0 in the first one. */
   public double seconds;

@@ -305,6 +305,7 @@ public final class ToolFrame extends HapticFrame {
     dest.tool.set(motion.pose());
     dest.isRigid = true;
     dest.heldBody = grasp.held();
+    dest.bodyPoses = bodies.poses();
   }
 
   @Override

@@ -59,7 +59,6 @@ public record ToolRequest(
     if (spec instanceof ToolSpec.Point) {
       requireNone("--tool-segment", segmentText);
       requireNone("--points", count);
-      requireNone("--clearance", clearanceText);
     }
     if (segment.isPresent() && !(spec instanceof ToolSpec.VolumeFile)) {
       throw new VolumeFormatException(

@@ -86,7 +86,6 @@ class ToolRequestTest {
   @Test
   void optionsThatDoNotFitEachOtherAreRefused() {
     refusal(() -> ToolRequest.parse("point", null, 10, null));
-    refusal(() -> ToolRequest.parse("point", null, null, "body"));
     refusal(() -> ToolRequest.parse("point", "tool=nonzero", null, null));
     refusal(() -> ToolRequest.parse("sphere:4", "tool=nonzero", null, null));
     refusal(() -> ToolRequest.parse("sphere:4", null, 0, null));

@@ -17,7 +17,10 @@ public final class SegmentDistance {
   /** The most voxels whose distances are kept: 128 MiB. */
   public static final long MOST_VOXELS = 1L << 25;
 
+  private static final int NO_BODY = -1;
+
   private final VoxelGrid grid;
+  private final int body;
 
   /** The greatest distance that is kept, mm. */
   private final double mostMm;
@@ -33,14 +36,25 @@ public final class SegmentDistance {
   private final float[] distances;
 
   /**
+   * Measures distances from a segment that stays at rest.
+   *
+   * @see #SegmentDistance(BitCube, VoxelGrid, double, int)
+   */
+  public SegmentDistance(BitCube solids, VoxelGrid grid, double reachMm) {
+    this(solids, grid, reachMm, NO_BODY);
+  }
+
+  /**
    * Measures distances. Cost: the voxels of the box times the reach in voxels.
    *
    * @param solids the voxels of the segment
    * @param reachMm the distance up to which is measured, mm; those beyond it by a longest voxel
    *     edge or more count as that
+   * @param body the index of the body that the segment is, whose pose it follows; negative if it
+   *     stays at rest
    * @throws IllegalArgumentException if {@link #voxelsFor} exceeds {@link #MOST_VOXELS}
    */
-  public SegmentDistance(BitCube solids, VoxelGrid grid, double reachMm) {
+  public SegmentDistance(BitCube solids, VoxelGrid grid, double reachMm, int body) {
     double voxels = voxelsFor(solids, grid, reachMm);
     mostMm = mostMm(grid, reachMm);
     if (!(voxels <= MOST_VOXELS)) {
@@ -48,6 +62,7 @@ public final class SegmentDistance {
           "distances of at most " + MOST_VOXELS + " voxels can be kept: voxels=" + voxels);
     }
     this.grid = grid;
+    this.body = body;
     IntBox box = solids.bounds();
     Vec3 spacing = grid.spacingMm();
     boolean isEmpty = box.isEmpty();
@@ -179,6 +194,11 @@ public final class SegmentDistance {
         (at(x, y, z + 0.5) - at(x, y, z - 0.5)) / spacing.z);
     double length = dest.length();
     dest.mul(length > 1 ? 1 / length : 1, dest);
+  }
+
+  /** Returns the index of the body that the segment is; negative if it stays at rest. */
+  public int body() {
+    return body;
   }
 
   /** Returns the grid of the segment. */

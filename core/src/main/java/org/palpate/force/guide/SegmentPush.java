@@ -4,13 +4,15 @@ import java.util.function.DoubleUnaryOperator;
 import org.palpate.force.EffectSite;
 import org.palpate.force.HandState;
 import org.palpate.force.HapticEffect;
+import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Pushes the tool away from a segment, or pulls it there. The force depends on the depth of the
- * tool's deepest sample point in a margin around the segment. All points in the margin share it by
- * their depths, so it passes from one to another without a step.
+ * Pushes the tool away from a segment, or pulls it there. A segment that is a body is where the
+ * body is. The force depends on the depth of the tool's deepest sample point in a margin around the
+ * segment. All points in the margin share it by their depths, so it passes from one to another
+ * without a step.
  *
  * <p>A body in hand feels nothing. Haptic thread; allocates nothing.
  */
@@ -24,6 +26,7 @@ public final class SegmentPush implements HapticEffect {
   private final Vec3 outward = new Vec3();
   private final Vec3 push = new Vec3();
   private final Vec3 moment = new Vec3();
+  private final Pose atRest = new Pose();
   private double deepestMm;
   private double sumMm;
 
@@ -57,6 +60,12 @@ public final class SegmentPush implements HapticEffect {
     }
   }
 
+  /** Returns the pose of the segment, from rest to present. */
+  private Pose pose(HandState hand) {
+    int body = segment.body();
+    return body >= 0 && body < hand.bodyPoses.size() ? hand.bodyPoses.get(body) : atRest;
+  }
+
   /**
    * Sums the outward directions of all points in the margin and their moments, times the depths.
    */
@@ -66,14 +75,16 @@ public final class SegmentPush implements HapticEffect {
     deepestMm = 0;
     sumMm = 0;
     VoxelGrid grid = segment.grid();
+    Pose pose = pose(hand);
     for (int n = 0; n < site.points().size(); n++) {
       hand.tool.rotation.rotate(site.points().get(n), lever);
       site.frameToWorld().transform(lever.add(hand.tool.translation, at), at);
-      grid.worldToGrid(at, at);
+      grid.worldToGrid(pose.inverseTransform(at, at), at);
       double depthMm = marginMm - segment.at(at.x, at.y, at.z);
       if (depthMm > 0) {
         segment.gradient(at, outward);
         grid.gridMmToWorld().rotate(outward, outward);
+        pose.rotation.rotate(outward, outward);
         site.frameToWorld().inverseRotate(outward, outward).mul(depthMm, outward);
         push.add(outward, push);
         moment.add(lever.cross(outward, outward), moment);

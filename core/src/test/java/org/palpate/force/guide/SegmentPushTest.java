@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.palpate.force.EffectSite;
 import org.palpate.force.HandState;
 import org.palpate.force.HapticEffect;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.Seeds;
@@ -124,6 +126,24 @@ class SegmentPushTest {
     torque.set(0, 0, 0);
     guide.add(hand, force, torque);
     return force;
+  }
+
+  @Test
+  void aSegmentThatIsABodyPushesFromWhereTheBodyIs() {
+    EffectSite site =
+        new EffectSite(GRID.gridMmToWorld(), 0.5, 8, Double.POSITIVE_INFINITY, List.of(new Vec3()));
+    HapticEffect guide =
+        Guides.away(new SegmentDistance(wall(), GRID, REACH_MM, 1), 4, STRENGTH).make(site);
+    Quaternion quarter = new Quaternion().setRotationVector(new Vec3(0, 0, Math.PI / 2));
+    Pose pose = new Pose().set(new Vec3(100, 50, 0), quarter);
+    hand.bodyPoses = List.of(new Pose(), pose);
+    pose.transform(new Vec3(3, 7, 20), hand.tool.translation);
+    assertEquals(0.5 * 2, feel(guide).y, 1e-6, "the wall faces y now");
+    assertEquals(0, Math.hypot(force.x, force.z), 1e-6);
+    hand.tool.translation.set(3, 7, 20);
+    assertEquals(0, feel(guide).length(), "the body is away");
+    hand.bodyPoses = List.of();
+    assertEquals(0.5 * 2, feel(guide).x, 1e-6);
   }
 
   @Test

@@ -162,6 +162,7 @@ public final class EffectOptions {
           option + text,
           "choose a smaller margin or a smaller segment");
     }
-    return new SegmentDistance(segment.bits(), grid, reachMm);
+    int body = segments.segments().indexOf(segment);
+    return new SegmentDistance(segment.bits(), grid, reachMm, body);
   }
 }

@@ -36,7 +36,7 @@ public final class ToolOptions {
           .toList();
 
   private static final List<String> OF_RIGID_TOOLS =
-      List.of("--rotational-stiffness", "--legs-every", "--legs-frames");
+      List.of("--clearance", "--rotational-stiffness", "--legs-every", "--legs-frames");
 
   @Option(
       names = "--tool",
@@ -72,7 +72,8 @@ public final class ToolOptions {
       description = {
         "Clearance of the tool: points (no point enters a solid), body (tool and solids do not"
             + " overlap), or a margin in mm between them. A negative margin lets them overlap by"
-            + " that depth. Default: body; points for an open mesh and with --points."
+            + " that depth. Bodies that move keep it from each other, with --tool point too."
+            + " Default: body; points for a point, for an open mesh and with --points."
       })
   private String clearance;
 

@@ -139,15 +139,21 @@ class ToolOptionsTest {
         "this option is for a rigid tool alone: --rotational-stiffness with --tool point: leave one"
             + " of them out",
         () -> check("--rotational-stiffness=3"));
+    Given.refuses(
+        "this option is for a rigid tool alone: --clearance with --tool point: leave one of them"
+            + " out",
+        () -> check("--clearance=body"));
   }
 
   @Test
   void aPointAmongBodiesThatHavePosesIsARigidTool() throws VolumeFormatException {
     assertFalse(options().isRigid());
     assertTrue(options("--tool=sphere:2").isRigid());
-    ToolOptions point = taken(Given.options(new VolumeOptions(), "--phantom=fracture:64:2"));
+    VolumeOptions broken = Given.options(new VolumeOptions(), "--phantom=fracture:64:2");
+    ToolOptions point = taken(broken, "--clearance=body");
     assertTrue(point.isRigid());
     assertInstanceOf(ToolSpec.Point.class, point.request().spec());
+    assertEquals(Optional.of(ClearanceChoice.BODY), point.request().clearance());
   }
 
   private static ToolOptions taken(VolumeOptions volume, String... arguments)
