@@ -161,6 +161,22 @@ class SmoothAccuracyTest {
     check(measure(truth, tall, bits, 5, 0.3), rms, worst, 0.1 * ratio, 0.02);
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "2, plane, 0.5, 1.1, 0.02, 0.03",
+    "2, sphere, 1.4, 11, 0.12, 0.02",
+    "3, plane, 0.9, 1.8, 0.03, 0.04",
+    "3, sphere, 2.6, 16, 0.12, 0.02"
+  })
+  void aWallOneSliceThickIsASurfaceFromEitherSide(
+      double ratio, String shape, double rms, double worst, double heightStd, double lagOff) {
+    AnalyticSurface solid = Phantom.parse(shape + ":" + EDGE).analyticSurface().orElseThrow();
+    Vec3 tall = new Vec3(1, 1, ratio);
+    BitCube bits = SampledSolids.of(new Wall(solid, ratio), EDGE, tall);
+    check(measure(solid, tall, bits, 5, 0.3), rms, worst, heightStd, lagOff);
+    check(measure(new Cavity(solid, ratio), tall, bits, 5, 0.3), rms, worst, heightStd, lagOff);
+  }
+
   @Test
   void everyLegOverLongVoxelsIsDisjointFromAllSolids() {
     AnalyticSurface truth = Phantom.parse("torus:96").analyticSurface().orElseThrow();
@@ -237,16 +253,30 @@ class SmoothAccuracyTest {
     }
   }
 
-  /** The inside of a ball with a wall of some thickness, touched from the cavity. */
-  private record Cavity(AnalyticSurface ball, double wallMm) implements AnalyticSurface {
+  /** A wall of some thickness below the surface of a solid; the normal is that of the solid. */
+  private record Wall(AnalyticSurface solid, double wallMm) implements AnalyticSurface {
     @Override
     public double signedDistance(Vec3 point) {
-      return -ball.signedDistance(point) - wallMm;
+      double height = solid.signedDistance(point);
+      return Math.max(height, -height - wallMm);
     }
 
     @Override
     public Vec3 normal(Vec3 point, Vec3 dest) {
-      return ball.normal(point, dest).mul(-1, dest);
+      return solid.normal(point, dest);
+    }
+  }
+
+  /** The inner side of a wall of some thickness below the surface of a solid. */
+  private record Cavity(AnalyticSurface solid, double wallMm) implements AnalyticSurface {
+    @Override
+    public double signedDistance(Vec3 point) {
+      return -solid.signedDistance(point) - wallMm;
+    }
+
+    @Override
+    public Vec3 normal(Vec3 point, Vec3 dest) {
+      return solid.normal(point, dest).mul(-1, dest);
     }
   }
 }

@@ -51,7 +51,7 @@ final class CellCorrections {
      * Finds the corrections of a brick that comes into the copy.
      *
      * @param number the brick's number in the copy
-     * @param x its brick coordinates
+     * @param x its brick coordinates, with y and z
      * @return whether there is any
      */
     boolean find(CollisionScene scene, int number, int x, int y, int z);

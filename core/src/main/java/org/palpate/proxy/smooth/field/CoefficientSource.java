@@ -9,7 +9,7 @@ interface CoefficientSource {
    * each.
    *
    * @param seed the cell from which empty space is reached
-   * @param coefficients receives 27 values from 0 to 1, x fastest
+   * @param coefficients receives 27 values of about 0 to 1, x fastest
    * @return false if all are 0; then {@code coefficients} is left as it was
    */
   boolean load(CollisionScene scene, int x, int y, int z, SeedCell seed, double[] coefficients);

@@ -59,7 +59,7 @@ public final class FieldSample {
     return evaluation;
   }
 
-  /** Returns the occupancy, from 0 to 1. */
+  /** Returns the occupancy, about 0 to 1; beside wide terraces it may be a little less than 0. */
   public double occupancy() {
     return occupancy;
   }
