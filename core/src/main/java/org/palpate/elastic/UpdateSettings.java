@@ -6,7 +6,8 @@ import org.palpate.elastic.lattice.LatticeLayout;
  * Settings of the updates of an elastic body.
  *
  * @param contactRadiusMm radius of the patch over which the force is spread, mm
- * @param residual the force that a displacement may leave unbalanced, over its load
+ * @param residual the largest unbalanced force that a displacement may leave, as a fraction of its
+ *     load
  */
 record UpdateSettings(double contactRadiusMm, double residual) {
   /**

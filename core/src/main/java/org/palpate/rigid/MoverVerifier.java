@@ -14,8 +14,9 @@ import org.palpate.statistics.SkipCounters;
  *
  * <p>A mover may carry others along as if they were glued to it. Each of them is verified against
  * all others in the same way, and those that move together against each other, because poses are
- * rounded. A pair is then named by a number that holds both: which of the group it is, and the
- * other mover. Without a group that number is the other's.
+ * rounded. The number of a pair is the index in the group of the mover that is carried, times the
+ * number of all movers, plus the index of the other mover. A mover that carries none has index 0,
+ * so that its pairs have the indices of the others.
  *
  * <p>Haptic thread only; allocates nothing.
  */

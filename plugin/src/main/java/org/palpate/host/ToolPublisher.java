@@ -20,9 +20,9 @@ import org.palpate.sync.TransformProperty;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Publishes the frames of a rigid tool. Like the publication of a point, one holds the device, the
- * reference point, the force and the contact. It adds the poses of tool and bodies, the torque and
- * the points in contact.
+ * Publishes the frames of a rigid tool. As for a point, a frame gives the device, the reference
+ * point, the force and the contact. For a tool it also gives the poses of tool and bodies, the
+ * torque and the points in contact.
  *
  * <p>Haptic thread; allocates nothing.
  */

@@ -15,7 +15,7 @@ import org.palpate.volume.fracture.Fragments;
  * A bone after a fracture.
  *
  * @param fragments the fragments where they belong
- * @param starts the pose of each after the fracture, from there, mm
+ * @param starts the pose that the fracture gave each fragment, from where it belongs, mm
  */
 record BrokenBone(Fragments fragments, List<Pose> starts) {
 

@@ -13,8 +13,9 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Builds segments of a volume in one pass, without keeping its values. A voxel belongs to a segment
- * if its value in any layer does. Four slices make a layer of bricks, which is then stored.
+ * Builds segments of a volume in one pass, without keeping its values. A file may have several
+ * layers of labels, which come as several slices at the same k. A voxel belongs to a segment if its
+ * value in one of them does. Four slices are stored as bricks when they are complete.
  */
 public final class SegmentBuilder implements SliceSink {
   private static final int[] PALETTE = {

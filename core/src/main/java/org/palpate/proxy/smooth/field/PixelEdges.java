@@ -3,7 +3,8 @@ package org.palpate.proxy.smooth.field;
 import org.palpate.geometry.Vec3;
 
 /**
- * The edges of the pixels of a slice, and the distances that they give, in shortest voxel edges.
+ * The edges of the pixels of a slice. Turns offsets between pixels into distances, in shortest
+ * voxel edges; u and v are the two axes of the slice.
  *
  * @param u the edge along u, at least 1
  * @param v the edge along v, at least 1
