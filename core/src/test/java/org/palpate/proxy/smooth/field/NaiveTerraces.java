@@ -43,6 +43,9 @@ final class NaiveTerraces {
     int lowU = cell[u] & ~3;
     int lowV = cell[v] & ~3;
     int solid = cell[axis] - step;
+    if (!at(axis, cell[u], cell[v], solid)) {
+      return 0;
+    }
     for (int n = 0; n < 16; n++) {
       int atU = lowU + n % 4;
       int atV = lowV + n / 4;
