@@ -102,6 +102,7 @@ class FreePartsTest {
     box.include(16, 16, 8);
     floating.body.contact().edited(box);
     floating.moveTo(24.3, 24.4, TOP - 2, 70);
+    floating.moveTo(24.3, 24.4, TOP - 2, 140);
     assertEquals(0, floating.body.freeParts());
     assertTrue(floating.frame.forceNewton().z < 0.8 * STIFFNESS * 2);
   }

@@ -28,10 +28,13 @@ class ElasticStudiesTest {
   }
 
   @Test
-  void elementsAloneBendAsTheFormulaSays() {
+  void beamsBendAsTheFormulaSays() {
     List<RigidFigure> figures = new FormulaStudy(true).figures();
     String figure = "cantilever 96x16x16, off the formula";
     assertEquals(2.7, value(figures, "elements alone, cells of 16 mm", figure), 0.1);
+    assertTrue(value(figures, "in the air of a lattice, cells of 8 mm", figure) < 3);
+    String plate = "plate 96x16x2, off the formula";
+    assertTrue(value(figures, "in the air of a lattice, cells of 8 mm", plate) < 20);
     assertTrue(value(figures, "radius 16 mm", "disc on a half space, off the formula") < 10);
   }
 

@@ -8,7 +8,7 @@ import org.palpate.volume.BitCube;
 
 /**
  * The lattice over elastic segments and some air around them. A cell has the mean modulus of its
- * voxels, in which air counts with 1e-5 of the stiffest segment, and their second moments.
+ * voxels, in which air counts with 1e-8 of the stiffest segment, and their second moments.
  *
  * <p>Nodes are fixed on the rim of the lattice, far from elastic voxels, and where at least a fifth
  * of the voxels around them belongs to a segment that stands still.
@@ -27,7 +27,8 @@ public final class ControlLattice {
    */
   private static final int CELL_MULTIPLE = 4;
 
-  private static final double AIR_PER_SOLID = 1e-5;
+  /** Small enough for a free plate of two voxels; that air is softer costs no iterations. */
+  private static final double AIR_PER_SOLID = 1e-8;
 
   /**
    * The stiffness of the springs that hold a part without support, over that of a cell of the
