@@ -182,7 +182,7 @@ final class GuidedPlacement {
 
   /** Returns the direction in which the fragment leaves its place most freely. */
   private Vec3 wayOut() {
-    RigidTool shape = ToolSampler.ofSegment(cubes.get(held), grid).thinned(160);
+    RigidTool shape = ToolSampler.ofSegment(cubes.get(held), grid);
     Vec3 reference = shape.referenceMm(new Vec3());
     Vec3[] points = new Vec3[shape.count()];
     for (int n = 0; n < points.length; n++) {
