@@ -144,7 +144,7 @@ final class ContactConstraints {
     return -1;
   }
 
-  /** Returns the index of a surface contact with a body within a distance of a position, or -1. */
+  /** Returns a surface contact with a body nearer to a position than a distance; -1 if none. */
   int contactAt(int ofBody, Vec3 at, double withinMm) {
     for (int c = 0; c < count; c++) {
       double square = at(c, scratch).sub(at, scratch).dot(scratch);

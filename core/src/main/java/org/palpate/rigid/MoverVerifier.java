@@ -476,7 +476,7 @@ final class MoverVerifier {
     return sum;
   }
 
-  /** Writes a position in the frame of a pair's points in the frame of this one, mm. */
+  /** Converts a position from the frame of a pair's points to the frame of this mover, mm. */
   Vec3 ownPosition(int number, Vec3 position, Vec3 dest) {
     Mover points = pair(number).points;
     return points == mover

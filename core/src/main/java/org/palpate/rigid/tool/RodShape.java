@@ -170,8 +170,8 @@ public record RodShape(
   /**
    * {@inheritDoc}
    *
-   * <p>The surface is curved at the round ends, which are one if they make a ball, and along the
-   * circles of the side. A direction along the axis leaves no lowest point of a circle.
+   * <p>The surface is curved at the round ends, which together are a ball if the rod has no length,
+   * and along the circles of the side. A circle has no lowest point along the axis of the rod.
    */
   @Override
   public Vec3 lowestNear(Vec3 sample, Vec3 up, double withinMm, Vec3 dest) {

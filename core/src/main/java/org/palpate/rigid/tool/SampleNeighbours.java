@@ -18,6 +18,7 @@ public final class SampleNeighbours {
    * @param point the index of the point near which to search; the answer if no other is lower by
    *     more than the difference
    * @param up unit, tool frame
+   * @param differenceMm how much lower another point must lie, mm
    */
   public static int lowest(RigidTool tool, int point, Vec3 up, double differenceMm) {
     int lowest = point;

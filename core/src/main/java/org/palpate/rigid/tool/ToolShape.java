@@ -39,12 +39,12 @@ public sealed interface ToolShape permits BoxShape, RodShape {
   Optional<ToolShape> eroded(double depthMm);
 
   /**
-   * Writes the lowest point, along a direction, of the curved surface around a sample. That is the
-   * sample itself where the surface is flat, or lower farther away.
+   * Writes the lowest point, along a direction, of the curved surface around a sample. It is the
+   * sample itself where the surface is flat, or where the lowest point is too far away.
    *
    * @param sample a sample of the surface, mm
    * @param up unit
-   * @param withinMm the least distance from the sample within which to search
+   * @param withinMm the search reaches at least this far from the sample, mm
    * @param dest written; may be {@code sample}
    */
   default Vec3 lowestNear(Vec3 sample, Vec3 up, double withinMm, Vec3 dest) {

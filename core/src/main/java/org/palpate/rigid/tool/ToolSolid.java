@@ -9,12 +9,14 @@ public interface ToolSolid {
   boolean contains(double x, double y, double z);
 
   /**
-   * Writes the lowest point, along a direction, of the curved surface around a sample point. That
-   * is the sample point itself where the surface is not known to be curved, or lower farther away.
+   * Writes the lowest point, along a direction, of the curved surface around a sample point. It is
+   * the sample point itself where the surface is not known to be curved, or where the lowest point
+   * is too far away.
    *
    * @param sample a sample point, tool frame, mm
    * @param up unit, tool frame
-   * @param withinMm the least distance from the sample within which to search
+   * @param withinMm the search reaches at least this far from the sample, mm
+   * @param dest written, tool frame, mm; may be {@code sample}
    */
   default Vec3 lowestNear(Vec3 sample, Vec3 up, double withinMm, Vec3 dest) {
     return dest.set(sample);
