@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -173,8 +172,11 @@ class DisplayFaultsTest {
   private static String name(Path thread) throws IOException {
     try {
       return Files.readString(thread.resolve("comm"));
-    } catch (NoSuchFileException e) {
-      return ""; // the thread has ended
+    } catch (IOException e) {
+      if (Files.exists(thread)) {
+        throw e;
+      }
+      return ""; // The thread has ended, maybe after the file was opened: then the read fails.
     }
   }
 }
