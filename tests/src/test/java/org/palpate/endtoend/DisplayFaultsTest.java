@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -23,6 +24,16 @@ class DisplayFaultsTest {
   private static final long PATIENCE_S = 120;
 
   @TempDir Path folder;
+
+  private Process started;
+
+  /** Ends a session that a failed test has left behind. */
+  @AfterEach
+  void end() {
+    if (started != null) {
+      started.destroyForcibly();
+    }
+  }
 
   private static ProcessBuilder on(String display, Object... arguments) {
     ProcessBuilder builder = CommandRun.inOwnJvm(JAVA_HOME, SMALL, arguments);
@@ -112,10 +123,8 @@ class DisplayFaultsTest {
     Process process;
     try (XServer display = XServer.start()) {
       process =
-          on(display.display(), "touch", "--phantom", "sphere:32", "--record", recording)
-              .redirectErrorStream(true)
-              .redirectOutput(out.toFile())
-              .start();
+          start(
+              on(display.display(), "touch", "--phantom", "sphere:32", "--record", recording), out);
       await(process, () -> draws(process.pid()));
     }
     // Either Xlib detects the loss, or the driver does if it is drawing.
@@ -133,15 +142,17 @@ class DisplayFaultsTest {
     Process process;
     try (XServer display = XServer.start()) {
       process =
-          on(display.display(), "touch", "--phantom", "sphere:32", "--device", "mouse")
-              .redirectErrorStream(true)
-              .redirectOutput(out.toFile())
-              .start();
+          start(on(display.display(), "touch", "--phantom", "sphere:32", "--device", "mouse"), out);
       await(process, () -> draws(process.pid()));
     }
     assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "the process does not end");
     assertEquals(1, process.exitValue(), Files.readString(out));
     assertTrue(Files.readString(out).contains("the mouse is lost with it"), Files.readString(out));
+  }
+
+  private Process start(ProcessBuilder builder, Path out) throws IOException {
+    started = builder.redirectErrorStream(true).redirectOutput(out.toFile()).start();
+    return started;
   }
 
   private interface Condition {
