@@ -16,6 +16,9 @@ final class LevelBricks {
   private final Map<Integer, SurfaceBrick> shown = new ConcurrentHashMap<>();
   private final Map<Integer, Start> starts = new HashMap<>();
 
+  /** The voxels whose surface is shown. Bricks of voxels that they replaced are ignored. */
+  private BitCube current;
+
   /**
    * The start of the extraction that gave the newest mesh of a brick.
    *
@@ -24,8 +27,12 @@ final class LevelBricks {
    */
   private record Start(long order, BitCube bits) {}
 
-  /** Returns the place where the bricks of a cube are kept. */
-  SurfaceBuilder.Store storeOf(BitCube bits) {
+  /**
+   * Returns the place where the bricks of a cube are kept. From now on bricks of other cubes are
+   * ignored: an extraction that waited while its voxels were replaced may end last.
+   */
+  synchronized SurfaceBuilder.Store storeOf(BitCube bits) {
+    current = bits;
     return new SurfaceBuilder.Store() {
       @Override
       public void accept(int brick, long started, SurfaceBrick mesh) {
@@ -40,12 +47,12 @@ final class LevelBricks {
   }
 
   /**
-   * Stores the mesh of a brick, or removes it if {@code mesh} is null, unless a later one is
-   * stored.
+   * Stores the mesh of a brick, or removes it if {@code mesh} is null, unless a later one is stored
+   * or its voxels were replaced.
    */
   private synchronized void put(int brick, Start start, SurfaceBrick mesh) {
     Start before = starts.get(brick);
-    if (before != null && before.order > start.order) {
+    if (start.bits != current || (before != null && before.order > start.order)) {
       return;
     }
     starts.put(brick, start);

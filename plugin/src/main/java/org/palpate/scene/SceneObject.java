@@ -78,7 +78,7 @@ public final class SceneObject {
     return levels.get(level).shown();
   }
 
-  /** Returns the place where a level keeps the bricks of a cube. */
+  /** Returns the place where a level keeps the bricks of a cube, and of no other from now on. */
   SurfaceBuilder.Store store(int level, BitCube bits) {
     return levels.get(level).storeOf(bits);
   }

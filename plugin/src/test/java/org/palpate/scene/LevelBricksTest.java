@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Vec3;
@@ -44,6 +45,16 @@ class LevelBricksTest {
     SurfaceBrick newest = mesh();
     store.accept(3, 9, newest);
     assertSame(newest, bricks.shown().get(3));
+  }
+
+  @Test
+  void aMeshOfVoxelsThatWereReplacedIsIgnoredHoweverLateItStarts() {
+    SurfaceBuilder.Store other = bricks.storeOf(new BitCube(4, 4, 4));
+    SurfaceBrick mesh = mesh();
+    other.accept(3, 5, mesh);
+    store.accept(3, 6, mesh());
+    store.accept(4, 7, mesh());
+    assertEquals(Map.of(3, mesh), bricks.shown());
   }
 
   @Test
