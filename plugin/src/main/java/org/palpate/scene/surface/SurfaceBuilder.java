@@ -1,6 +1,7 @@
 package org.palpate.scene.surface;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
@@ -72,10 +73,16 @@ public final class SurfaceBuilder implements AutoCloseable {
   private final Map<WaitingEdits, Rebuild> waiting = new ConcurrentHashMap<>();
 
   /** Bricks whose first extraction has not begun. It will see all edits until then. */
-  private final Set<UnbuiltBrick> unbuilt = Collections.synchronizedSet(new HashSet<>());
+  private final Set<Brick> unbuilt = Collections.synchronizedSet(new HashSet<>());
 
   /** Held while edits are extracted: of two patches of a brick the second needs the first. */
   private final Object patching = new Object();
+
+  /**
+   * Bricks that lack an edit because its extraction failed. The next edit of such a brick extracts
+   * it as a whole. Only used under {@link #patching}.
+   */
+  private final Set<Brick> outdated = new HashSet<>();
 
   /**
    * Creates a builder.
@@ -113,9 +120,14 @@ public final class SurfaceBuilder implements AutoCloseable {
     int count = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE).count();
     SurfaceJob job = new SurfaceJob(count, whenDone);
     for (int n = 0; n < count; n++) {
-      int brick = n;
-      unbuilt.add(new UnbuiltBrick(source.bits(), brick));
-      execute(kind, () -> job.run(() -> buildBrick(source, occlusion, brick, sink)));
+      Brick brick = new Brick(source.bits(), n);
+      unbuilt.add(brick);
+      execute(
+          kind,
+          () -> {
+            unbuilt.remove(brick); // also if the job has failed and leaves it to the next edit
+            job.run(() -> extract(source, occlusion, brick.number, sink));
+          });
     }
     return job;
   }
@@ -126,8 +138,8 @@ public final class SurfaceBuilder implements AutoCloseable {
    * the queue stays short even if edits come faster than the extraction.
    *
    * @param voxels a box around the edited voxels, copied
-   * @param store the bricks; those that it does not have are extracted as a whole, unless they wait
-   *     to be built
+   * @param store the bricks; those that it does not have, or that lack an edit because an extraction
+   *     failed, are extracted as a whole, unless they wait to be built
    * @return the job, which reports progress and failures
    */
   public SurfaceJob rebuild(
@@ -149,13 +161,8 @@ public final class SurfaceBuilder implements AutoCloseable {
     return job;
   }
 
-  /** A brick that waits to be built. Cubes are equal only to themselves. */
-  private record UnbuiltBrick(BitCube bits, int brick) {}
-
-  private void buildBrick(SurfaceSource source, AmbientOcclusion occlusion, int brick, Sink sink) {
-    unbuilt.remove(new UnbuiltBrick(source.bits(), brick));
-    extract(source, occlusion, brick, sink);
-  }
+  /** A brick of a cube. Cubes are equal only to themselves. */
+  private record Brick(BitCube bits, int number) {}
 
   /** Edits that wait to be extracted. */
   private record WaitingEdits(BitCube bits, Kind kind) {}
@@ -198,22 +205,34 @@ public final class SurfaceBuilder implements AutoCloseable {
 
   private void patch(SurfaceSource source, AmbientOcclusion occlusion, IntBox edited, Store store) {
     IntBox touched = SurfaceExtractor.touchedCells(source, edited, new IntBox());
+    List<IntBox> parts = BrickLayout.parts(touched, SurfaceExtractor.BRICK_EDGE);
     synchronized (patching) {
-      for (IntBox part : BrickLayout.parts(touched, SurfaceExtractor.BRICK_EDGE)) {
-        patchPart(source, occlusion, part, store);
+      try {
+        parts.forEach(part -> patchPart(source, occlusion, part, store));
+      } catch (RuntimeException | Error cause) {
+        parts.forEach(part -> outdated.addAll(bricksOf(source, part)));
+        throw cause;
       }
     }
+  }
+
+  private static List<Brick> bricksOf(SurfaceSource source, IntBox cells) {
+    BrickLayout layout = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE);
+    return Arrays.stream(layout.bricksOf(cells))
+        .mapToObj(number -> new Brick(source.bits(), number))
+        .toList();
   }
 
   private void patchPart(
       SurfaceSource source, AmbientOcclusion occlusion, IntBox part, Store store) {
     BrickLayout layout = BrickLayout.of(source.bits(), SurfaceExtractor.BRICK_EDGE);
     List<Integer> known = new ArrayList<>();
-    for (int brick : layout.bricksOf(part)) {
-      if (store.newest(brick).isPresent()) {
-        known.add(brick);
-      } else if (!unbuilt.contains(new UnbuiltBrick(source.bits(), brick))) {
-        extract(source, occlusion, brick, store);
+    for (Brick brick : bricksOf(source, part)) {
+      if (store.newest(brick.number).isPresent() && !outdated.contains(brick)) {
+        known.add(brick.number);
+      } else if (!unbuilt.contains(brick)) {
+        extract(source, occlusion, brick.number, store);
+        outdated.remove(brick);
       }
     }
     if (!known.isEmpty()) {

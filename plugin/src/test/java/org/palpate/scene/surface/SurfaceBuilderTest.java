@@ -14,6 +14,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.IntBox;
@@ -22,6 +23,11 @@ import org.palpate.volume.BitCube;
 
 class SurfaceBuilderTest {
   private static final long PATIENCE_MS = 60_000;
+
+  private static final SurfaceBuilder.Sink FULL =
+      (brick, order, mesh) -> {
+        throw new IllegalStateException("sink is full");
+      };
 
   private final Random random = new Random(Shapes.seed());
 
@@ -176,13 +182,9 @@ class SurfaceBuilderTest {
     try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
       SurfaceJob first =
           rebuild(builder, source, (brick, order, mesh) -> awaitUnchecked(mayEnd), () -> {});
-      SurfaceBuilder.Sink full =
-          (brick, order, mesh) -> {
-            throw new IllegalStateException("sink is full");
-          };
       SurfaceSource other = SurfaceSource.ofBits(Shapes.sphere(20, 6), Shapes.UNIT);
-      SurfaceJob second = rebuild(builder, other, full, () -> {});
-      SurfaceJob third = rebuild(builder, other, full, () -> {});
+      SurfaceJob second = rebuild(builder, other, FULL, () -> {});
+      SurfaceJob third = rebuild(builder, other, FULL, () -> {});
       mayEnd.countDown();
       first.await(PATIENCE_MS);
       assertThrows(IllegalStateException.class, () -> second.await(PATIENCE_MS));
@@ -194,13 +196,68 @@ class SurfaceBuilderTest {
       SurfaceBuilder builder, SurfaceSource source, SurfaceBuilder.Sink sink, Runnable whenDone) {
     IntBox middle = new IntBox();
     middle.include(10, 10, 10);
+    return rebuild(builder, source, middle, new NoStore(sink), whenDone);
+  }
+
+  private static SurfaceJob rebuild(
+      SurfaceBuilder builder,
+      SurfaceSource source,
+      IntBox edited,
+      SurfaceBuilder.Store store,
+      Runnable whenDone) {
     return builder.rebuild(
-        source,
-        AmbientOcclusion.NONE,
-        SurfaceBuilder.Kind.EDITED,
-        middle,
-        new NoStore(sink),
-        whenDone);
+        source, AmbientOcclusion.NONE, SurfaceBuilder.Kind.EDITED, edited, store, whenDone);
+  }
+
+  /** The failed edit touches several bricks. The edits after it touch all of them elsewhere. */
+  @Test
+  void theNextEditRepairsBricksWhoseEditFailed() throws Exception {
+    AtomicBoolean fails = new AtomicBoolean();
+    BitCube bits = Shapes.sphere(50, 15);
+    GreyEdgeCrossings.Values values =
+        (i, j, k) -> {
+          if (fails.get()) {
+            throw new IllegalStateException("no value");
+          }
+          return (31 * i + 57 * j + 97 * k) % 64;
+        };
+    SurfaceSource source =
+        new SurfaceSource(bits, new GreyEdgeCrossings(values, 30, 100), Shapes.UNIT, 1);
+    MapStore store = new MapStore(buildAll(source, 1));
+    try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
+      fails.set(true);
+      SurfaceJob failed = clear(builder, source, store, 25, 25, 39);
+      assertThrows(IllegalStateException.class, () -> failed.await(PATIENCE_MS));
+      fails.set(false);
+      clear(builder, source, store, 25, 25, 11).await(PATIENCE_MS);
+      clear(builder, source, store, 43, 43, 43).await(PATIENCE_MS);
+    }
+    assertSameBricks(buildAll(source, 1), store.bricks());
+  }
+
+  private static SurfaceJob clear(
+      SurfaceBuilder builder, SurfaceSource source, SurfaceBuilder.Store store, int... voxel) {
+    source.bits().clear(voxel[0], voxel[1], voxel[2]);
+    IntBox edited = new IntBox();
+    edited.include(voxel[0], voxel[1], voxel[2]);
+    return rebuild(builder, source, edited, store, () -> {});
+  }
+
+  @Test
+  void anEditExtractsABrickThatAFailedBuildLeftOut() throws Exception {
+    SurfaceSource source = SurfaceSource.ofBits(blobs(), Shapes.UNIT);
+    Map<Integer, SurfaceBrick> bricks = new ConcurrentHashMap<>();
+    try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
+      SurfaceJob build =
+          builder.build(source, AmbientOcclusion.NONE, SurfaceBuilder.Kind.FINE, FULL, () -> {});
+      assertThrows(IllegalStateException.class, () -> build.await(PATIENCE_MS));
+      IntBox all = new IntBox();
+      all.include(0, 0, 0);
+      all.include(89, 84, 79);
+      NoStore store = new NoStore((brick, order, mesh) -> put(bricks, brick, mesh));
+      rebuild(builder, source, all, store, () -> {}).await(PATIENCE_MS);
+    }
+    assertSameBricks(buildAll(source, 1), bricks);
   }
 
   private static void awaitUnchecked(CountDownLatch latch) {
@@ -217,13 +274,7 @@ class SurfaceBuilderTest {
     try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
       SurfaceJob build =
           builder.build(
-              source,
-              AmbientOcclusion.NONE,
-              SurfaceBuilder.Kind.FINE,
-              (brick, begun, mesh) -> {
-                throw new IllegalStateException("sink is full");
-              },
-              () -> {});
+              source, AmbientOcclusion.NONE, SurfaceBuilder.Kind.FINE, FULL, () -> {});
       Exception failure = assertThrows(IllegalStateException.class, () -> build.await(PATIENCE_MS));
       assertEquals("sink is full", failure.getCause().getMessage());
       assertTrue(build.isDone());
