@@ -14,6 +14,7 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.surface.SurfaceBrick;
 import org.palpate.scene.surface.SurfaceJob;
+import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
@@ -86,7 +87,7 @@ class SceneLoaderTest {
   /** Compares with surfaces that are built after all edits, bit for bit. */
   @Test
   void editsWhileSurfacesAreBuiltEndInThoseOfTheEditedVoxels() throws Exception {
-    long seed = Long.getLong("palpate.seed", 20130701L);
+    long seed = Seeds.seed();
     Random random = new Random(seed);
     BitCube bits = new BitCube(EDITED_EDGE, EDITED_EDGE, EDITED_EDGE);
     edit(bits, random, 40, true);

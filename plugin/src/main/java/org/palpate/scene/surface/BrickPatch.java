@@ -9,9 +9,9 @@ import org.palpate.volume.BitCube;
  * Replaces the triangles of some cells of a brick, so that an edit costs as much as the cells that
  * it touches.
  *
- * <p>A quad belongs to the highest of the four cells of its vertices. Quads stand in the order of
- * their cells, and vertices in the order in which quads use them. So the result has the bits of a
- * brick that is extracted as a whole. One thread.
+ * <p>A quad belongs to that of its vertices' four cells which has the highest number. Quads stand
+ * in the order of their cells, and vertices in the order in which quads use them. So the result has
+ * the bits of a brick that is extracted as a whole. One thread.
  */
 final class BrickPatch {
   /** The corners of the two triangles of a quad. */
@@ -42,8 +42,8 @@ final class BrickPatch {
    * @param cells the cells of the brick
    */
   SurfaceBrick appliedTo(SurfaceBrick brick, IntBox cells) {
-    Quads kept = new Quads(brick, quad -> !isIn(patched, quad));
-    Quads fresh = new Quads(mesh, quad -> isIn(cells, quad));
+    Quads kept = new Quads(brick, cell -> !isIn(patched, cell));
+    Quads fresh = new Quads(mesh, cell -> isIn(cells, cell));
     Merger merger = new Merger(brick, mesh);
     while (kept.cell != Quads.END || fresh.cell != Quads.END) {
       Quads first = kept.cell < fresh.cell ? kept : fresh;
@@ -67,6 +67,8 @@ final class BrickPatch {
     static final long END = Long.MAX_VALUE;
 
     final SurfaceBrick mesh;
+
+    /** Whether the quads of a cell, given by its number, are wanted. */
     private final LongPredicate isWanted;
 
     /** The number of each vertex in the result. */
@@ -93,7 +95,9 @@ final class BrickPatch {
       } while (cell != END && !isWanted.test(cell));
     }
 
-    /** The last corner of the second triangle is the one that the first triangle does not have. */
+    /**
+     * Returns the number of the cell of a quad. Only its last corner is not in its first triangle.
+     */
     private long cellOfQuad() {
       long first = Math.max(key(at), key(at + 1));
       long second = Math.max(key(at + 2), key(at + CORNERS - 1));

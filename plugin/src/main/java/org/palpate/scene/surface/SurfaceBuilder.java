@@ -138,8 +138,8 @@ public final class SurfaceBuilder implements AutoCloseable {
    * the queue stays short even if edits come faster than the extraction.
    *
    * @param voxels a box around the edited voxels, copied
-   * @param store the bricks; those that it does not have, or that lack an edit because an extraction
-   *     failed, are extracted as a whole, unless they wait to be built
+   * @param store the bricks; those that it does not have, or that lack an edit because an
+   *     extraction failed, are extracted as a whole, unless they wait to be built
    * @return the job, which reports progress and failures
    */
   public SurfaceJob rebuild(

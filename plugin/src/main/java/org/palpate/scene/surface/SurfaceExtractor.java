@@ -4,8 +4,9 @@ import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 
 /**
- * Extracts the triangles of one brick at a time: dual surface nets with a vertex for each sheet of
- * each cell and a quad for each pair of neighbouring voxels of which one is solid.
+ * Extracts the triangles of a brick or of a smaller box of cells: dual surface nets with a vertex
+ * for each sheet of each cell and a quad for each pair of neighbouring voxels of which one is
+ * solid.
  *
  * <p>The surface is always closed, and manifold wherever the solid voxels, as closed cells, are.
  * Every vertex stays in its cell, so no voxel centre changes sides. Bricks fit together bit for

@@ -273,8 +273,7 @@ class SurfaceBuilderTest {
     SurfaceSource source = SurfaceSource.ofBits(Shapes.sphere(20, 5), Shapes.UNIT);
     try (SurfaceBuilder builder = new SurfaceBuilder(1)) {
       SurfaceJob build =
-          builder.build(
-              source, AmbientOcclusion.NONE, SurfaceBuilder.Kind.FINE, FULL, () -> {});
+          builder.build(source, AmbientOcclusion.NONE, SurfaceBuilder.Kind.FINE, FULL, () -> {});
       Exception failure = assertThrows(IllegalStateException.class, () -> build.await(PATIENCE_MS));
       assertEquals("sink is full", failure.getCause().getMessage());
       assertTrue(build.isDone());
