@@ -9,8 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -30,11 +28,8 @@ class AssessCommandTest {
 
   @TempDir Path folder;
 
-  private double value(Path training, String key) throws IOException {
-    String text = Files.readString(training.resolve("assessment.json"));
-    Matcher found = Pattern.compile("\"" + key + "\" : ([-0-9.E]+)").matcher(text);
-    assertTrue(found.find(), key + " in " + text);
-    return Double.parseDouble(found.group(1));
+  private static double value(Path training, String key) throws IOException {
+    return FlatJson.number(training.resolve("assessment.json"), key);
   }
 
   private static void run(Object... arguments) {
@@ -66,10 +61,7 @@ class AssessCommandTest {
     assertEquals(12_001, value(training, "frames"));
     assertEquals(0, value(training, "lost_frames"));
     assertEquals(24, value(training, "hand_path_mm"), 0.2);
-    String text = Files.readString(report);
-    Matcher force = Pattern.compile("\"max_force_n\" : ([-0-9.E]+)").matcher(text);
-    assertTrue(force.find());
-    double largest = Double.parseDouble(force.group(1));
+    double largest = FlatJson.number(report, "max_force_n");
     assertTrue(largest > 0.5, "it presses");
     assertEquals(largest, value(training, "max_force_n"), 1e-9 * largest);
     String[] row = Files.readAllLines(training.resolve("segments.csv")).get(1).split(",", -1);

@@ -9,8 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,10 +56,7 @@ class BrushCommandTest {
   }
 
   private static double mm3(String key, Path report) throws IOException {
-    Pattern pattern = Pattern.compile("\"" + key + "\" : \\{\\s*\"sphere\" : ([-0-9.E]+)\\s*\\}");
-    Matcher found = pattern.matcher(Files.readString(report));
-    assertTrue(found.find(), () -> report + " has no " + key);
-    return Double.parseDouble(found.group(1));
+    return FlatJson.number(report, key + "/sphere");
   }
 
   @ParameterizedTest

@@ -9,8 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -195,10 +193,7 @@ class FeelCommandTest {
     replay.addAll(List.of("--friction", 0, "--report", report));
     replay.addAll(List.of(options));
     CommandRun.of(replay.toArray()).mustSucceed();
-    Matcher found =
-        Pattern.compile("\"max_force_n\" : ([-0-9.E]+)").matcher(Files.readString(report));
-    assertTrue(found.find());
-    return Double.parseDouble(found.group(1));
+    return FlatJson.number(report, "max_force_n");
   }
 
   @Test

@@ -24,4 +24,17 @@ final class FlatJson {
     }
     return values;
   }
+
+  /** Returns the first number whose path ends with {@code keys}, such as {@code carved/sphere}. */
+  static double number(Path file, String keys) throws IOException {
+    try (JsonParser parser = new JsonFactory().createParser(file.toFile())) {
+      while (parser.nextToken() != null) {
+        String path = parser.getParsingContext().pathAsPointer().toString();
+        if (parser.currentToken().isNumeric() && path.endsWith("/" + keys)) {
+          return parser.getDoubleValue();
+        }
+      }
+    }
+    throw new AssertionError(file + " has no number " + keys);
+  }
 }

@@ -10,8 +10,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,13 +18,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** Sessions and replays above 1 kHz. */
 class RateCommandTest {
   @TempDir Path folder;
-
-  private static double value(Path json, String key) throws IOException {
-    String text = Files.readString(json);
-    Matcher found = Pattern.compile("\"" + key + "\" : ([-0-9.E]+)").matcher(text);
-    assertTrue(found.find(), key + " in " + text);
-    return Double.parseDouble(found.group(1));
-  }
 
   /** Writes a hand that slides over the ball of {@code sphere:32} and stops there. */
   private Path sliding(int hertz) throws IOException {
@@ -63,16 +54,20 @@ class RateCommandTest {
     Path slow = assessed(1000, option, value);
     Path fast = assessed(hertz, option, value);
     for (String key : List.of("seconds", "hand_path_mm", "rms_mm")) {
-      assertEquals(value(slow, key), value(fast, key), 0.01 * value(slow, key), key);
+      double expected = FlatJson.number(slow, key);
+      assertEquals(expected, FlatJson.number(fast, key), 0.01 * expected, key);
     }
-    double path =
-        value(slow, "tool_path_mm"); // The implicit Euler method damps a mass by its step.
-    assertEquals(path, value(fast, "tool_path_mm"), 0.1 * path);
-    double force = value(slow, "max_force_n");
+    // The implicit Euler method damps a mass by its step.
+    double path = FlatJson.number(slow, "tool_path_mm");
+    assertEquals(path, FlatJson.number(fast, "tool_path_mm"), 0.1 * path);
+    double force = FlatJson.number(slow, "max_force_n");
     assertTrue(force > 0.2, "it presses: " + force);
-    assertEquals(force, value(fast, "max_force_n"), 0.03 * force);
+    assertEquals(force, FlatJson.number(fast, "max_force_n"), 0.03 * force);
     assertEquals(
-        value(slow, "mean_force_n"), value(fast, "mean_force_n"), 0.03 * force, "mean force");
+        FlatJson.number(slow, "mean_force_n"),
+        FlatJson.number(fast, "mean_force_n"),
+        0.03 * force,
+        "mean force");
   }
 
   @Test
@@ -99,7 +94,7 @@ class RateCommandTest {
     CommandRun run = CommandRun.of(touch);
     run.mustSucceed();
     assertFalse(run.out().contains("samples a second"), "the simulated hand is as fast");
-    assertTrue(value(report, "frames") > 2000, "frames");
+    assertTrue(FlatJson.number(report, "frames") > 2000, "frames");
     assertTrue(Files.readString(report).contains("\"lateness_us\""));
     List<String> rows = Files.readAllLines(record);
     assertTrue(rows.get(2).startsWith("0.1,"), rows.get(2));
@@ -112,8 +107,8 @@ class RateCommandTest {
       }
       CommandRun.of(replay.toArray()).mustSucceed();
       for (String key : List.of("frames", "seconds", "hand_path_mm", "tool_path_mm")) {
-        double was = value(live.resolve("assessment.json"), key);
-        assertEquals(was, value(again.resolve("assessment.json"), key), 1e-6 * was, key);
+        double was = FlatJson.number(live.resolve("assessment.json"), key);
+        assertEquals(was, FlatJson.number(again.resolve("assessment.json"), key), 1e-6 * was, key);
       }
     }
   }

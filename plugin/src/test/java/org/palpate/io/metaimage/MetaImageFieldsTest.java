@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.palpate.io.ReadVolumes.values;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -22,12 +23,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.GreyVolumes;
+import org.palpate.io.ReadVolumes;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
-import org.palpate.volume.ScalarVolume;
 
 class MetaImageFieldsTest {
   private static final byte[] DATA = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
@@ -67,20 +68,9 @@ class MetaImageFieldsTest {
     return MetaImageReader.open(file, ReadOptions.defaults());
   }
 
-  private static String values(VolumeReader reader) throws VolumeFormatException {
-    ScalarVolume volume = GreyVolumes.read(reader);
-    StringBuilder text = new StringBuilder();
-    for (int n = 0; n < 12; n++) {
-      text.append((int) volume.value(n % 3, n / 3 % 2, n / 6)).append(' ');
-    }
-    return text.toString().strip();
-  }
-
   private String refusal(byte[] data, String... fields) throws IOException {
     Path file = write(data, fields);
-    String said = assertThrows(VolumeFormatException.class, () -> open(file)).getMessage();
-    assertTrue(said.contains(": " + file + ": "), said);
-    return said.substring(0, said.indexOf(": " + file));
+    return ReadVolumes.refusal(file, () -> open(file));
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.palpate.io.nrrd;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.palpate.io.ReadVolumes.values;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -26,6 +27,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.GreyVolumes;
+import org.palpate.io.ReadVolumes;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.LabelTable.Label;
@@ -35,7 +37,6 @@ import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeHeader.ValueRange;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelType;
-import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 class NrrdFieldsTest {
@@ -74,23 +75,9 @@ class NrrdFieldsTest {
     return NrrdReader.open(file, ReadOptions.defaults());
   }
 
-  private static String values(VolumeReader reader) throws VolumeFormatException {
-    ScalarVolume volume = GreyVolumes.read(reader);
-    VoxelGrid grid = volume.grid();
-    List<String> words = new ArrayList<>();
-    for (int n = 0; n < grid.voxelCount(); n++) {
-      int i = n % grid.sizeX();
-      int j = n / grid.sizeX() % grid.sizeY();
-      words.add("" + (int) volume.value(i, j, n / grid.sizeX() / grid.sizeY()));
-    }
-    return String.join(" ", words);
-  }
-
   private String refusal(byte[] data, String... lines) throws IOException {
     Path file = write(data, lines);
-    String said = assertThrows(VolumeFormatException.class, () -> open(file)).getMessage();
-    assertTrue(said.contains(": " + file + ": "), said);
-    return said.substring(0, said.indexOf(": " + file));
+    return ReadVolumes.refusal(file, () -> open(file));
   }
 
   private static Vec3 centre(VolumeReader reader, double i, double j, double k) {
