@@ -76,11 +76,6 @@ final class SliceOutline {
     return Math.max(searched, lookedAt);
   }
 
-  /** Returns the greatest distance that is measured; greater ones count as this. */
-  double reach() {
-    return reach;
-  }
-
   /** Returns the longer edge of a pixel. */
   double longestPixelEdge() {
     return Math.max(edges.u(), edges.v());
