@@ -60,7 +60,7 @@ final class BinaryCoefficientSource implements CoefficientSource {
     this.kernel = kernel;
     this.window = window;
     corrections = new CellCorrections(corrected, window, weights());
-    int unit = ThinSlices.FRACTIONS;
+    int unit = CellCorrections.FRACTIONS;
     scale = kernel.scale() / unit;
     alongY = new AxisTaps(kernel, 1);
     alongZ = new AxisTaps(kernel, 2);

@@ -9,6 +9,9 @@ import org.palpate.collision.CollisionScene;
  * along x. A cell may be solid in part, see {@link ThinSlices} and {@link Terraces}.
  */
 final class CellCorrections {
+  /** The unit of corrections, as a fraction of a cell: 1 / 32. */
+  static final int FRACTIONS = 32;
+
   private static final int EDGE = BinaryWindow.EDGE;
 
   /** The cells of a brick that lie in a window along each axis, by its offset from the window. */
@@ -63,8 +66,7 @@ final class CellCorrections {
     long corrected(int slot);
 
     /**
-     * Returns by how much the occupancy of a cell differs from its bit, in {@link
-     * ThinSlices#FRACTIONS}.
+     * Returns by how much the occupancy of a cell differs from its bit, in {@link #FRACTIONS}.
      *
      * @param bit the cell's place in the brick's word; a corrected one
      */
@@ -92,6 +94,11 @@ final class CellCorrections {
     this.weights = weights;
     copy = window.copy();
     correctedBricks = new long[sources.size()];
+  }
+
+  /** Returns a difference of occupancies in {@link #FRACTIONS}, rounded. */
+  static int inFractions(double difference) {
+    return (int) Math.floor(FRACTIONS * difference + 0.5);
   }
 
   /** Forgets all corrections. */

@@ -181,8 +181,7 @@ final class Terraces implements CellCorrections.Source {
   private void correct(Axis axis, int u, int v, int layer, int step, int slot) {
     axis.findHeights(u, v, layer - step, step);
     for (int column = 0; column < ShapeInterpolation.COLUMNS; column++) {
-      double beyond = axis.heights[column] - 0.5;
-      int correction = (int) Math.floor(ThinSlices.FRACTIONS * beyond + 0.5);
+      int correction = CellCorrections.inFractions(axis.heights[column] - 0.5);
       if (correction != 0) {
         add(correction, axis.slices.bitOf(column & 3, column >> 2, layer & 3), slot);
       }

@@ -20,9 +20,6 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
 
   private static final int COLUMNS = ShapeInterpolation.COLUMNS;
 
-  /** The unit of corrections, as a fraction of a cell: 1 / 32. */
-  static final int FRACTIONS = 32;
-
   /** The cells of a brick. */
   private static final int CELLS = 64;
 
@@ -62,7 +59,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   /** For each tile and column, the number of the cell between the slices that is corrected. */
   private final byte[] correctedCells = new byte[CacheKeys.SLOTS * COLUMNS];
 
-  /** The occupancy of that cell less its bit, in {@link #FRACTIONS}. */
+  /** The occupancy of that cell less its bit, in {@link CellCorrections#FRACTIONS}. */
   private final byte[] columnCorrections = new byte[CacheKeys.SLOTS * COLUMNS];
 
   /** For each brick the cells with a correction, a bit each. */
@@ -263,7 +260,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
       solid++;
     }
     double beyond = step * cut.beyondMiddle(nearest, solidSlice) - 0.5;
-    int correction = (int) Math.floor(FRACTIONS * (height - beyond - solid) + 0.5);
+    int correction = CellCorrections.inFractions(height - beyond - solid);
     int corrected = correction > 0 ? Math.min(solid, cells - 1) : Math.max(solid - 1, 0);
     int at = COLUMNS * slot + column;
     columnCorrections[at] = (byte) correction;
