@@ -19,10 +19,7 @@ final class BrickCopy {
   /** The cells that are left on an axis beside a window. */
   private static final int ROOM = EDGE - BinaryWindow.EDGE;
 
-  /**
-   * The bricks along each axis that another copy holds as well, by their offset, see {@link
-   * #masks}.
-   */
+  /** For each offset along x, the bricks that another copy holds as well, see {@link #masks}. */
   private static final long[] MASK_X = masks(1, BRICKS);
 
   private static final long[] MASK_Y = masks(4, BRICKS);
@@ -75,11 +72,12 @@ final class BrickCopy {
   }
 
   /**
-   * Returns for each offset of 4x4x4 bits, from -3 on, those that lie in a window along an axis, a
-   * bit each.
+   * Returns masks for a block of 4x4x4 elements, a bit each, beside a window. Each mask holds the
+   * elements that lie in the window along one axis. Mask n is that of a block that begins n - 3
+   * elements beyond the low end of the window.
    *
-   * @param stride the distance of neighbours along the axis in a word, bits
-   * @param edge the edge of the window
+   * @param stride the distance of neighbours along the axis in the word of a block, bits
+   * @param edge the elements of the window along the axis
    */
   static long[] masks(int stride, int edge) {
     long[] masks = new long[edge + 3];
@@ -92,7 +90,7 @@ final class BrickCopy {
     return masks;
   }
 
-  /** Returns the mask for an offset, or 0 if the window is too far away. */
+  /** Returns the mask of a block that begins at an offset from the window, 0 if it is outside. */
   static long mask(long[] masks, int offset) {
     return offset >= -3 && offset + 3 < masks.length ? masks[offset + 3] : 0;
   }
@@ -100,13 +98,13 @@ final class BrickCopy {
   /**
    * Returns the bricks of a copy, a bit each, that another copy holds as well.
    *
-   * @param x how many bricks it begins beyond the other one, as y and z
+   * @param x the bricks by which it begins beyond the other one, with y and z
    */
   static long overlap(int x, int y, int z) {
     return mask(MASK_X, x) & mask(MASK_Y, y) & mask(MASK_Z, z);
   }
 
-  /** Returns the number of the brick (x,y,z) of a copy, also if it lies outside. */
+  /** Returns the number of brick (x,y,z) of a copy; for an offset, the difference of numbers. */
   static int number(int x, int y, int z) {
     return 16 * z + 4 * y + x;
   }

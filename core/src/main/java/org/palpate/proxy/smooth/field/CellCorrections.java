@@ -38,10 +38,12 @@ final class CellCorrections {
   /** For each source, the bricks of the copy that hold a correction, a bit each. */
   private final long[] correctedBricks;
 
-  /** The number of the copy to which those belong, and its first brick. */
+  /** The number of {@link BrickCopy#reads} after which those were found. */
   private long knownReads;
 
+  /** The brick coordinates of the copy's first brick at that time. */
   private int knownX;
+
   private int knownY;
   private int knownZ;
 

@@ -7,18 +7,21 @@ import org.palpate.geometry.Vec3;
  * Corrections of the cells on wide terraces, where a surface is nearly parallel to a layer of
  * cells.
  *
- * <p>A terrace that is wider than a window looks flat, whatever the surface does that it stands
- * for. {@link ShapeInterpolation} tells from the outlines around the terrace how the surface runs,
- * as it does between thick slices. A correction is the distance from the terrace to that surface.
- * The empty cell on the terrace holds it, below zero if the surface runs lower.
+ * <p>A terrace that is wider than a window looks flat there, even if it stands for a curved or
+ * inclined surface. {@link ShapeInterpolation} finds that surface from the outlines around the
+ * terrace, as it does between thick slices. A correction is the height of the surface above the
+ * terrace, negative if it runs below. The empty cell on the terrace gets the correction.
  *
  * <p>Only whole tiles are corrected: 4x4 columns side by side that are all solid in one layer and
  * empty in the next. Narrow terraces, which the smoothing resolves, have no such tiles, and noise
- * breaks them up. Elsewhere the field stays the same to the bit.
+ * breaks them up. Where no tile is corrected, the field is the same to the bit as without terraces.
  */
 final class Terraces implements CellCorrections.Source {
   /** The reach of searches for the outline, in shortest voxel edges. */
   private static final int REACH = 16;
+
+  /** Surfaces are not bent, however long a terrace is: the outlines of two layers give them. */
+  private static final double NEVER_BENT = Double.POSITIVE_INFINITY;
 
   private static final int CELLS = 64;
   private static final int BRICKS = 64;
@@ -188,7 +191,7 @@ final class Terraces implements CellCorrections.Source {
     }
   }
 
-  /** Adds to the correction of a cell, which may lie on up to six terraces. */
+  /** Adds to the correction of a cell, which may lie on several terraces, such as in a corner. */
   private void add(int correction, int bit, int slot) {
     int at = CELLS * slot + bit;
     boolean isFirst = (corrected[slot] >>> bit & 1) == 0;
@@ -222,7 +225,7 @@ final class Terraces implements CellCorrections.Source {
       slices = new SliceBits(cells, number);
       interpolation =
           new ShapeInterpolation(
-              slices, PixelEdges.across(number, cellEdges), REACH, 1, Double.POSITIVE_INFINITY);
+              slices, PixelEdges.across(number, cellEdges), REACH, 1, NEVER_BENT);
     }
 
     /** Returns the layers of a brick whose bits are all set, a bit each. */
