@@ -88,12 +88,14 @@ final class ContactField {
       return false;
     }
     tool.point(point, samplePoint);
+    findLowest(pair, point);
     boolean found = true;
-    for (int n = 0; n < SEARCHES && found && isAboveLowest(pair, point); n++) {
+    for (int n = 0; n < SEARCHES && found && isLowestElsewhere(); n++) {
       found = evaluate(pair.from.transform(at.set(lowest), grid), level);
       evaluations++;
+      findLowest(pair, point);
     }
-    if (found && evaluations > 1 && isAboveLowest(pair, point)) {
+    if (found && evaluations > 1 && isLowestElsewhere()) {
       // The lever of a ball must be parallel to the normal, or the ball would feel a torque.
       heightMm += lowest.sub(at, at).dot(up);
       at.set(lowest);
@@ -101,10 +103,14 @@ final class ContactField {
     return found;
   }
 
-  /** Finds the lowest point for the present normal; returns whether it is a new place. */
-  private boolean isAboveLowest(BodyVerifier pair, int point) {
+  /** Finds the lowest point for the present normal. */
+  private void findLowest(BodyVerifier pair, int point) {
     pair.points.pose.rotation.inverseRotate(normal, up);
     pair.points.shape.lowestNear(point, up, lowest);
+  }
+
+  /** Whether the lowest point is neither the one that was evaluated last nor the sample point. */
+  private boolean isLowestElsewhere() {
     return !lowest.sameBits(at) && !lowest.sameBits(samplePoint);
   }
 
