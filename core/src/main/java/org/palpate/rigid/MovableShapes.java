@@ -67,16 +67,24 @@ public record MovableShapes(List<RigidTool> shapes, OptionalDouble marginMm) {
   }
 
   /**
-   * Returns the longest edge of the voxels that are sampled, mm. With at most half the depth, parts
-   * of one volume of cubes are free where they fit, because no sampled voxel touches one that is as
-   * large and borders on the other part.
+   * Returns the longest edge of the voxels that are sampled, mm: the shortest edge of the body,
+   * halved until it is at most half the depth.
+   *
+   * <p>Parts of one volume of cubes are then free where they fit. The grown solids of the other
+   * part consist of cells that are as large as the sampled voxels, and the solid ones touch that
+   * part. The erosion takes off all sampled voxels in their place, because the diagonal of a voxel
+   * is less than the depth. This holds for depths from a quarter of the shortest edge on, because
+   * an edge is cut into eight parts at most.
    */
   private static double longestEdgeMm(Body body, double depthMm) {
+    if (depthMm == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
     double edgeMm = body.metric().shortestEdgeMm();
-    while (depthMm > 0 && edgeMm > 0.5 * depthMm) {
+    while (edgeMm > 0.5 * depthMm) {
       edgeMm /= 2;
     }
-    return depthMm > 0 ? edgeMm : Double.POSITIVE_INFINITY;
+    return edgeMm;
   }
 
   /**
