@@ -204,6 +204,45 @@ class OccupancyFieldTest {
     assertTrue(after > before);
   }
 
+  @Test
+  void changedTerracesAreSeenAfterForgetWhereverTheWindowMovesNext() {
+    for (GridMetric metric : List.of(UNIT, new GridMetric(0.7, 0.7, 1.4))) {
+      BitCube bits = gentleFaces();
+      CollisionScene scene = new CollisionScene(List.of(bits));
+      OccupancyField used = field(scene, metric);
+      Vec3 point = new Vec3(14, 14, 24);
+      for (int n = 0; n < 300; n++) {
+        if (n % 3 == 0) {
+          toggleTile(bits, random.nextInt(7), random.nextInt(7), random.nextInt(31));
+          used.forget();
+        }
+        point.set(step(point.x), step(point.y), step(point.z));
+        FieldSample fresh = field(scene, metric).evaluate(cell(point), point);
+        FieldSample sample = used.evaluate(cell(point), point);
+        assertEquals(fresh.occupancy(), sample.occupancy(), "seed=" + SEED + " at " + point);
+        assertEquals(fresh.gx(), sample.gx(), "seed=" + SEED + " at " + point);
+      }
+    }
+  }
+
+  /** Adds or removes 4x4 voxels of a layer. */
+  private static void toggleTile(BitCube bits, int tileX, int tileY, int k) {
+    for (int n = 0; n < 16; n++) {
+      int i = Math.min(bits.sizeX() - 1, 4 * tileX + n % 4);
+      int j = Math.min(bits.sizeY() - 1, 4 * tileY + n / 4);
+      if (bits.get(i, j, k)) {
+        bits.clear(i, j, k);
+      } else {
+        bits.set(i, j, k);
+      }
+    }
+  }
+
+  /** Returns a coordinate at most 3 voxels away, within the solid and beside it. */
+  private double step(double from) {
+    return Math.max(-4, Math.min(34, from + 6 * random.nextDouble() - 3));
+  }
+
   private void compare(BitCube bits, GridMetric metric, int[][] boxes) {
     CollisionScene scene = new CollisionScene(List.of(bits));
     OccupancyField field = field(scene, metric);
