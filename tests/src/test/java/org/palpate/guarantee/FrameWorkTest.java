@@ -29,7 +29,7 @@ class FrameWorkTest {
   private static final int MAX_RATIO_AMONG_SLICES = 24;
 
   /** The same if an edit before each frame empties the cache. */
-  private static final int MAX_RATIO_AMONG_EDITED_SLICES = 40;
+  private static final int MAX_RATIO_AMONG_EDITED_SLICES = 36;
 
   /**
    * The same if voxels are long along two axes. The search of the second cut then reads cells that
