@@ -92,14 +92,16 @@ public final class RigidTool implements PointSet {
 
   /**
    * Writes the lowest point, along a direction, of the curved surface around a sample point. Only
-   * shapes know their surface; for other tools that is the sample point itself.
+   * shapes know their surface; for other tools that is the sample point itself. Points that do not
+   * cover the surface stand for no more of it than the shape says.
    *
    * @param up unit, tool frame
    * @param dest written, tool frame, mm
    */
   public Vec3 lowestNear(int index, Vec3 up, Vec3 dest) {
     point(index, dest);
-    return solid == null ? dest : solid.lowestNear(dest, up, coverRadiusMm, dest);
+    double withinMm = isCovered() ? coverRadiusMm : 0;
+    return solid == null ? dest : solid.lowestNear(dest, up, withinMm, dest);
   }
 
   /** Returns the tree of bounding spheres over the sample points. */

@@ -122,6 +122,25 @@ class ToolSamplerTest {
     }
   }
 
+  /** Otherwise a contact in a narrow hole would pass to another wall. */
+  @Test
+  void theLowestPointOfAThinnedToolIsNearItsSample() {
+    double radius = 3;
+    RigidTool thin = ToolSampler.ofShape(RodShape.sphere(radius), 0.5).thinned(10);
+    Vec3 sample = new Vec3();
+    Vec3 lowest = new Vec3();
+    int moved = 0;
+    for (int n = 0; n < thin.count(); n++) {
+      thin.point(n, sample);
+      for (int direction = 0; direction < 200; direction++) {
+        thin.lowestNear(n, surfacePoint(RodShape.sphere(1)), lowest).sub(sample, lowest);
+        assertTrue(lowest.length() < 0.33 * radius, "sample " + n + " moved by " + lowest);
+        moved += lowest.length() > 0 ? 1 : 0;
+      }
+    }
+    assertTrue(moved > 0, "no direction leads to a lower point");
+  }
+
   private static double nearest(RigidTool tool, Vec3 p) {
     double least = Double.POSITIVE_INFINITY;
     for (int n = 0; n < tool.count(); n++) {
