@@ -144,7 +144,7 @@ final class ContactConstraints {
     return -1;
   }
 
-  /** Returns a surface contact with a body nearer to a position than a distance; -1 if none. */
+  /** Returns the index of a surface contact with a body near a position, or -1 if there is none. */
   int contactAt(int ofBody, Vec3 at, double withinMm) {
     for (int c = 0; c < count; c++) {
       double square = at(c, scratch).sub(at, scratch).dot(scratch);
