@@ -147,12 +147,13 @@ final class RoomProof {
   }
 
   /**
-   * Whether the own cone of a cell holds the one that is being measured. It holds one of its own
-   * shape around a place, which is shorter by the distance of the place.
+   * Whether the own cone of a cell holds the one that is being measured. It holds a cone of its own
+   * shape around a place of the axis, shorter by the distance of the place. A cell that does not
+   * answer along the axis has an infinite cone there, and still a finite one across.
    */
   private boolean isOwnConeEnough(int n, double away) {
-    double rest = ownAlong[n] - away;
-    return rest >= along && ownAcross[n] * rest >= ownAlong[n] * across;
+    double part = 1 - away / ownAlong[n];
+    return part * ownAlong[n] >= along && part * ownAcross[n] >= across;
   }
 
   private void beginCone(DeformationField field, double place) {

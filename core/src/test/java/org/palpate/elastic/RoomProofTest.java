@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -159,6 +160,31 @@ class RoomProofTest {
         assertEquals(0, TetrahedraJudge.folded(lattice, map), "answers of " + size);
       }
     }
+  }
+
+  /**
+   * The cones of such cells are infinite along the axis, so that only their width bounds a force.
+   */
+  @Test
+  void noForceFoldsATetrahedronThatDoesNotAnswerAlongTheAxis() {
+    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    int moved = 0;
+    for (int n = 0; n < 20; n++) {
+      randomField(0.05, 0.5);
+      field.room.begin(0, 0, 1);
+      for (int at = 0; at < field.values.length; at += DeformationField.STRIDE) {
+        Arrays.fill(field.values, at + 9, at + 12, 0); // The answers to a force along z.
+      }
+      assertTrue(proof.prove(field, 4, -2), "field " + n);
+      map.use(field);
+      for (int i = 0; i < 5; i++) {
+        double x = 3 * random.nextGaussian();
+        double y = 3 * random.nextGaussian();
+        moved += map.setForce(x, y, random.nextGaussian()) ? 1 : 0;
+        assertEquals(0, TetrahedraJudge.folded(lattice, map), "field " + n);
+      }
+    }
+    assertTrue(moved > 50, "clipped " + moved);
   }
 
   @Test
