@@ -11,7 +11,7 @@ public final class ActiveCells {
 
   /**
    * The share of fixed nodes around a coarse node that fixes it, by their weights in trilinear
-   * interpolation. A plane of fixed nodes beside the coarse node has 0.25 and does not fix it.
+   * interpolation. A plane of fixed nodes beside the coarse node has 0.25, so it does not.
    */
   private static final double FIXING_SHARE = 0.3;
 
@@ -70,25 +70,24 @@ public final class ActiveCells {
     return new ActiveCells(coarse, coarseFixed);
   }
 
+  /** Returns the share of fixed nodes among those of the lattice around a coarse node. */
   private double fixedShare(LatticeLayout coarse, int node) {
     int x = 2 * coarse.nodeIndex(0, node);
     int y = 2 * coarse.nodeIndex(1, node);
     int z = 2 * coarse.nodeIndex(2, node);
+    double all = 0;
     double share = 0;
-    for (int k = -1; k <= 1; k++) {
-      for (int j = -1; j <= 1; j++) {
-        for (int i = -1; i <= 1; i++) {
-          int away = Math.abs(i) + Math.abs(j) + Math.abs(k);
-          share += isFixedOrOutside(x + i, y + j, z + k) ? 0.125 / (1 << away) : 0;
+    for (int k = Math.max(0, z - 1); k <= Math.min(layout.cells(2), z + 1); k++) {
+      for (int j = Math.max(0, y - 1); j <= Math.min(layout.cells(1), y + 1); j++) {
+        for (int i = Math.max(0, x - 1); i <= Math.min(layout.cells(0), x + 1); i++) {
+          int away = Math.abs(i - x) + Math.abs(j - y) + Math.abs(k - z);
+          double weight = 1.0 / (1 << away);
+          all += weight;
+          share += fixed[layout.node(i, j, k)] ? weight : 0;
         }
       }
     }
-    return share;
-  }
-
-  private boolean isFixedOrOutside(int x, int y, int z) {
-    boolean inside = x >= 0 && y >= 0 && z >= 0 && x <= layout.cells(0) && y <= layout.cells(1);
-    return !(inside && z <= layout.cells(2)) || fixed[layout.node(x, y, z)];
+    return share / all;
   }
 
   /** Returns the node of this lattice at the place of a node of the coarser one. */

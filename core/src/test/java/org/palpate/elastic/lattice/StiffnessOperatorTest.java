@@ -187,7 +187,7 @@ class StiffnessOperatorTest {
         size += expected[i] * expected[i];
         error += (found[i] - expected[i]) * (found[i] - expected[i]);
       }
-      assertTrue(steps < 150, "steps " + steps);
+      assertTrue(steps < 120, "steps " + steps);
       assertTrue(Math.sqrt(error / size) < 2e-3, "relative error " + Math.sqrt(error / size));
     }
   }
