@@ -142,26 +142,14 @@ public final class ControlLattice {
 
   private boolean[] grown(boolean[] from) {
     boolean[] grown = new boolean[from.length];
+    int[] neighbours = new int[LatticeLayout.MOST_NEIGHBOURS];
     for (int cell = 0; cell < from.length; cell++) {
-      if (from[cell]) {
-        include(cell, grown);
+      int count = from[cell] ? layout.neighbours(cell, neighbours) : 0;
+      for (int n = 0; n < count; n++) {
+        grown[neighbours[n]] = true;
       }
     }
     return grown;
-  }
-
-  /** Marks a cell and its neighbours. */
-  private void include(int cell, boolean[] dest) {
-    int x = layout.cellIndex(0, cell);
-    int y = layout.cellIndex(1, cell);
-    int z = layout.cellIndex(2, cell);
-    for (int k = Math.max(0, z - 1); k <= Math.min(layout.cells(2) - 1, z + 1); k++) {
-      for (int j = Math.max(0, y - 1); j <= Math.min(layout.cells(1) - 1, y + 1); j++) {
-        for (int i = Math.max(0, x - 1); i <= Math.min(layout.cells(0) - 1, x + 1); i++) {
-          dest[layout.cell(i, j, k)] = true;
-        }
-      }
-    }
   }
 
   /** Returns the nodes of all cells that are not near. */

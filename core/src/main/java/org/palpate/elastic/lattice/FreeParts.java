@@ -21,6 +21,7 @@ final class FreeParts {
   /** The cells of the part that is being searched, in the order of the search. */
   private final int[] queue;
 
+  private final int[] neighbours = new int[LatticeLayout.MOST_NEIGHBOURS];
   private int found;
   private boolean supported;
 
@@ -107,18 +108,11 @@ final class FreeParts {
   }
 
   private void appendNeighbours(int cell) {
-    LatticeLayout layout = cells.layout();
-    int x = layout.cellIndex(0, cell);
-    int y = layout.cellIndex(1, cell);
-    int z = layout.cellIndex(2, cell);
-    for (int k = Math.max(0, z - 1); k <= Math.min(layout.cells(2) - 1, z + 1); k++) {
-      for (int j = Math.max(0, y - 1); j <= Math.min(layout.cells(1) - 1, y + 1); j++) {
-        for (int i = Math.max(0, x - 1); i <= Math.min(layout.cells(0) - 1, x + 1); i++) {
-          int listed = cells.indexOf(layout.cell(i, j, k));
-          if (isNew(listed)) {
-            append(listed);
-          }
-        }
+    int count = cells.layout().neighbours(cell, neighbours);
+    for (int n = 0; n < count; n++) {
+      int listed = cells.indexOf(neighbours[n]);
+      if (isNew(listed)) {
+        append(listed);
       }
     }
   }

@@ -14,6 +14,9 @@ public final class LatticeLayout {
   /** The number of corners of a cell: bit 0 of a corner's index is x, bit 1 is y, bit 2 is z. */
   public static final int CORNERS = 8;
 
+  /** The most cells that share a node with a cell, itself included. */
+  static final int MOST_NEIGHBOURS = 27;
+
   /** The most cells, so that a lattice fits into memory. */
   static final int MOST_CELLS_IN_ALL = 1 << 19;
 
@@ -176,6 +179,27 @@ public final class LatticeLayout {
       case 1 -> cell / cells[0] % cells[1];
       default -> cell / cells[0] / cells[1];
     };
+  }
+
+  /**
+   * Writes a cell and those that share a node with it into {@code dest}.
+   *
+   * @param dest room for {@link #MOST_NEIGHBOURS}
+   * @return the number of these cells
+   */
+  int neighbours(int cell, int[] dest) {
+    int x = cellIndex(0, cell);
+    int y = cellIndex(1, cell);
+    int z = cellIndex(2, cell);
+    int count = 0;
+    for (int k = Math.max(0, z - 1); k <= Math.min(cells[2] - 1, z + 1); k++) {
+      for (int j = Math.max(0, y - 1); j <= Math.min(cells[1] - 1, y + 1); j++) {
+        for (int i = Math.max(0, x - 1); i <= Math.min(cells[0] - 1, x + 1); i++) {
+          dest[count++] = cell(i, j, k);
+        }
+      }
+    }
+    return count;
   }
 
   /** Returns the node at corner 0 of a cell. */
