@@ -57,8 +57,8 @@ public final class ElasticBody {
   }
 
   /**
-   * Returns the number of parts that edits have cut off from all support, and that stand still
-   * therefore; read it after the last update.
+   * Returns the number of parts that edits have cut off from all support. Such parts stand still.
+   * Read it after the last update.
    */
   public int freeParts() {
     return lattice.freeParts();

@@ -22,7 +22,7 @@ import org.palpate.proxy.ProxySolver;
  * <p>Haptic thread; allocates nothing after construction.
  */
 public final class ElasticContact {
-  /** The frames after which a shift has lost two thirds. */
+  /** The frames of a millisecond after which a shift has lost two thirds. */
   static final int DECAY_FRAMES = 20;
 
   private static final int BALANCE_STEPS = 2;
@@ -98,7 +98,11 @@ public final class ElasticContact {
     return this;
   }
 
-  /** Returns how many frames take as long as some of a millisecond. */
+  /**
+   * Returns the number of frames that take as long as a number of frames of a millisecond.
+   *
+   * @param frameMs the length of a frame, positive; a longer one counts as a millisecond
+   */
   static int frames(int ofMillisecond, double frameMs) {
     return (int) Math.round(ofMillisecond / Math.min(1, frameMs));
   }

@@ -49,7 +49,7 @@ final class FieldUpdater {
   private final float[] proved;
   private final float[][] answers = new float[3][];
 
-  /** The changes by the last update: those of the answers, and then that of the displacement. */
+  /** The changes by the last update: of the three answers, then of the displacement. */
   private final float[][] changes = new float[4][];
 
   private final float[] before;
@@ -165,13 +165,14 @@ final class FieldUpdater {
    * at rest is the solution.
    */
   private void predict(Vec3 next) {
-    if (next.length() == 0) {
+    boolean isLoaded = next.length() > 0;
+    if (!isLoaded) {
       Arrays.fill(displacement, 0);
     }
     for (int axis = 0; axis < 3; axis++) {
       force[axis] = next.get(axis);
       float change = (float) (force[axis] - lastForce[axis]);
-      if (change != 0 && next.length() > 0) {
+      if (change != 0 && isLoaded) {
         Vectors.add(change, answers[axis], displacement);
       }
       lastForce[axis] = force[axis];
@@ -204,7 +205,7 @@ final class FieldUpdater {
     solve(answers[axis], changes[axis], goal, ANSWER_STEPS);
   }
 
-  /** Solves for the residual, beginning along the last change: a contact that slides goes on. */
+  /** Solves for the residual. It first goes on along the last change, as a sliding contact does. */
   private void solve(float[] solution, float[] change, double goalNewton, int mostSteps) {
     System.arraycopy(solution, 0, before, 0, before.length);
     solver.descend(change, residual, solution);

@@ -41,7 +41,7 @@ final class RoomProof {
 
   private final ActiveCells cells;
 
-  /** The cells that could fold within reach; the one that could fold first is the first. */
+  /** The cells that could fold within reach. The one with the shortest bound is the first. */
   private final int[] near;
 
   private int nearCount;

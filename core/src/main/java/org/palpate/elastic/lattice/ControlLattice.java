@@ -27,7 +27,7 @@ public final class ControlLattice {
    */
   private static final int CELL_MULTIPLE = 4;
 
-  /** Small enough for a free plate of two voxels; that air is softer costs no iterations. */
+  /** Small enough that a plate of two voxels bends nearly as freely as without air. */
   private static final double AIR_PER_SOLID = 1e-8;
 
   /**
