@@ -12,8 +12,8 @@ import org.palpate.geometry.Vec3;
  *
  * <p>At a stop with an aim it also looks at what it moves, and shifts and turns the device until
  * that thing is at its goal, as a person does by eye. It keeps this correction of its grip until it
- * lets go. If the thing is not at a goal that the hand tries to reach, the hand goes back by a stop
- * and comes again, up to a number of tries.
+ * lets go. An aim may have a number of tries. If the thing is not at its goal then, the hand goes
+ * back by a stop and comes again. After the last try it goes on to another stop.
  *
  * <p>Each read is the next sample. The motion depends on the stops, on what is seen and on the
  * number of reads, never on a clock or on forces. A session can therefore be repeated. Haptic
@@ -31,12 +31,12 @@ public final class GuidedHand implements HapticDevice {
 
   private static final double NANOS_PER_MS = 1e6;
 
-  /** The farthest that the hand leads a thing that does not follow at a goal, mm and rad. */
+  /** The longest correction at a stop with tries, in case the thing does not follow. */
   private static final double LONGEST_LEAD_MM = 0.5;
 
   private static final double LONGEST_LEAD_RAD = Math.toRadians(1);
 
-  /** A thing that is nearer to a goal that is tried has reached it. */
+  /** The errors up to which a thing has reached its goal at a stop with tries. */
   private static final double REACHED_MM = 0.3;
 
   private static final double REACHED_RAD = Math.toRadians(0.6);
@@ -61,10 +61,10 @@ public final class GuidedHand implements HapticDevice {
   /** The corrected pose as it was when the hand arrived. */
   private final Pose arrived = new Pose();
 
-  /** The pose of the next stop, with these corrections. */
+  /** The pose at which the hand will arrive. */
   private final Pose next = new Pose();
 
-  /** The corrections so far, in the frame of the hand. */
+  /** The motion from the planned pose of a stop to the corrected one, in the frame of the hand. */
   private final Pose correctionOfGrip = new Pose();
 
   private final Pose error = new Pose();
@@ -77,7 +77,7 @@ public final class GuidedHand implements HapticDevice {
 
   private boolean isLeaving;
 
-  /** The number of tries that missed the goal of the present stop. */
+  /** The number of tries that missed their goal since the hand last held nothing. */
   private int misses;
 
   private double arrivalSeconds;
@@ -178,13 +178,13 @@ public final class GuidedHand implements HapticDevice {
     arrived.set(corrected);
     if (stops.get(stop).buttons() == 0) {
       correctionOfGrip.setIdentity();
+      misses = 0;
     }
-    misses = stops.get(stop).buttons() == 0 ? 0 : misses;
     stop = heading;
     isLeaving = false;
   }
 
-  /** Writes the pose of the next stop. A hand that holds something on the way keeps its grip. */
+  /** Writes the pose at which the hand will arrive. A hand that holds something keeps its grip. */
   private Pose poseOfNext(Pose dest) {
     Pose planned = stops.get(heading).pose();
     return stops.get(stop).buttons() == 0

@@ -23,9 +23,8 @@ public record HandStop(
    * @param seen returns the present pose of the thing, rest to present, world mm; called by the
    *     thread that reads the device
    * @param goal the pose at which it belongs; not to be written
-   * @param tries how often the hand comes to the stop to bring it there; 0 if it goes on in any
-   *     case
-   * @param otherwise the number of stops to the next after the last try has failed
+   * @param tries the most times that the hand comes to the stop; 0 if it goes on in any case
+   * @param otherwise the number of stops from this to the next after the last try has failed
    */
   public record Aim(Supplier<Pose> seen, Pose goal, int tries, int otherwise) {}
 

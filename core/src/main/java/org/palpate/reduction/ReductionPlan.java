@@ -33,7 +33,10 @@ public final class ReductionPlan {
   /** The most of them at which the plan looks for a place to touch. */
   private static final int MOST_TOUCHES = 160;
 
-  /** Fragments that face those in place with this share of the most points may come next. */
+  /**
+   * The share of the points of the fragment that faces those in place with the most. A fragment may
+   * come next if at least so many of its points face them.
+   */
   private static final double FACING_SHARE = 0.25;
 
   /** The largest distance of points that face each other, voxels. */
@@ -59,7 +62,7 @@ public final class ReductionPlan {
 
   private static final double PRESS_SECONDS = 0.4;
 
-  /** The time in which the hand sees how it holds a fragment, before faces meet. */
+  /** The time in which the hand corrects its grip before faces meet. */
   private static final double LOOK_SECONDS = 1;
 
   private static final double SETTLE_SECONDS = 1.2;
@@ -70,10 +73,10 @@ public final class ReductionPlan {
   /** The distance of a fragment that was put aside, as a multiple of the radius of the ball. */
   private static final double ASIDE = 3;
 
-  /** The stops at which the hand puts a fragment aside. */
+  /** The number of stops that put a fragment aside; a hand that succeeds leaves them out. */
   private static final int STOPS_ASIDE = 4;
 
-  /** The distance from its place to which a fragment goes back for another try, edges. */
+  /** The distance to which a fragment goes back for another try, shortest voxel edges. */
   private static final double NEAR_EDGES = 8;
 
   /** The distance of a path around the bodies, as a multiple of the radius of their ball. */
@@ -210,6 +213,10 @@ public final class ReductionPlan {
     return false;
   }
 
+  /**
+   * Adds the stops that lead a fragment home. After the stop that lets it go come the {@link
+   * #STOPS_ASIDE} that put it aside if no try succeeds.
+   */
   private void putBack(int fragment, Pose truth) {
     Pose start = new Pose().set(bodies.body(fragment).pose());
     Vec3 up = wayOut(fragment, start).direction();
@@ -243,8 +250,9 @@ public final class ReductionPlan {
   /** Adds a stop at which the hand corrects by eye how it holds a fragment; returns its pose. */
   private Pose lead(int fragment, Pose goal, Pose startToHand, double seconds, int tries) {
     Pose hand = goal.multiply(startToHand, new Pose());
+    int otherwise = 2; // A hand that fails does not let go here.
     Optional<HandStop.Aim> aim =
-        Optional.of(new HandStop.Aim(seen.body(fragment)::pose, goal, tries, 2));
+        Optional.of(new HandStop.Aim(seen.body(fragment)::pose, goal, tries, otherwise));
     stops.add(new HandStop(hand, DeviceState.FIRST_BUTTON, seconds, tries > 0, aim, 1));
     return hand;
   }

@@ -28,7 +28,7 @@ final class WayOut {
 
   private static final double GROWTH = 1.5;
 
-  /** Shifts that are longer, shortest voxel edges, need only one of some points. */
+  /** After longer shifts, shortest voxel edges, one of {@link #FAR_STRIDE} points is enough. */
   private static final double FAR_EDGES = 4;
 
   private static final int FAR_STRIDE = 6;
@@ -63,11 +63,11 @@ final class WayOut {
       return new Obstacle(body.bits(), map, near, some);
     }
 
-    /** Whether a brick around a point has voxels, as far as shifts that compare near points go. */
+    /** Whether a point may lie in a voxel after a shift of up to {@code FAR_EDGES}. */
     private static boolean isNear(BitCube bits, Vec3 p) {
-      int i = (int) Math.floor(p.x) >> 2;
-      int j = (int) Math.floor(p.y) >> 2;
-      int k = (int) Math.floor(p.z) >> 2;
+      int i = (int) Math.floor(p.x) >> BitCube.BRICK_SHIFT;
+      int j = (int) Math.floor(p.y) >> BitCube.BRICK_SHIFT;
+      int k = (int) Math.floor(p.z) >> BitCube.BRICK_SHIFT;
       long any = 0;
       for (int w = k - 1; w <= k + 1; w++) {
         for (int v = j - 1; v <= j + 1; v++) {
