@@ -160,7 +160,7 @@ public final class StabilityRun {
     return cells;
   }
 
-  /** Whether a trial counts as passive that gave so much energy to the hand. */
+  /** Whether a trial counts as passive if its contact gave this energy to the hand. */
   static boolean isPassive(FeelTrial trial, double givenMillijoule) {
     return !trial.feel().driven() && givenMillijoule <= PASSIVE_MILLIJOULE;
   }

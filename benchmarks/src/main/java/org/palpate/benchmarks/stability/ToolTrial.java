@@ -51,18 +51,20 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, Held h
   private static final double NEEDLE_RADIUS_MM = 0.5;
   private static final double NEEDLE_LENGTH_MM = 30;
 
-  /** The layers of voxels of the wall, of the tissue down to the bone, and of the bone. */
+  /** The layers of voxels of the wall, and of the bone, from the lowest one up. */
   private static final int WALL_LAYERS = EDGE / 2;
 
-  private static final int TISSUE_LAYERS = 120;
   private static final int BONE_LAYERS = 8;
+
+  /** The layer at which the tissue ends; it begins on the bone. */
+  private static final int TISSUE_TOP = 120;
 
   private static final Body WALL = body("wall", WALL_LAYERS);
   private static final Body BONE = body("bone", BONE_LAYERS);
 
   /** Soft enough for the weakest device: puncture 0.5 N, cutting 0.1 N, shaft 0.02 N/mm. */
   private static final NeedleTissue TISSUE =
-      new NeedleTissue(layers(BONE_LAYERS, TISSUE_LAYERS), 0.5, 0.1, 0.02);
+      new NeedleTissue(layers(BONE_LAYERS, TISSUE_TOP), 0.5, 0.1, 0.02);
 
   /**
    * The tool that the hand holds.
@@ -97,7 +99,7 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, Held h
   @Override
   public Outcome run(double newtonPerM) {
     ClosedLoop loop = new ClosedLoop(device, grip, sampling, touchMm(), new Vec3(0, 0, -1));
-    Plant plant = loop.turningPlant(upright());
+    Plant plant = loop.turningPlant(orientation());
     FrameSettings settings = ClosedLoop.settings(plant.specification(), newtonPerM, true);
     BodyScene bodies = new BodyScene(List.of(held.isNeedle() ? BONE : WALL));
     RigidTool tool = tool();
@@ -115,6 +117,7 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, Held h
     return loop.run(plant, frame);
   }
 
+  /** Returns the proposal of a needle or of a mass; none for a rod without mass. */
   private Optional<ToolProposal> proposal(RigidTool tool, RigidCoupling coupling) {
     if (held.isNeedle()) {
       Vec3 tip = new Vec3(0, 0, -NEEDLE_LENGTH_MM / 2);
@@ -126,10 +129,11 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, Held h
               NEEDLE_LENGTH_MM,
               coupling.stiffnessNewtonPerMm()));
     }
-    return held.massKg().stream()
-        .mapToObj(kg -> new MassSettings(kg, new Vec3()))
-        .<ToolProposal>map(mass -> new MassiveTool(tool, coupling, ClosedLoop.FRICTION, mass))
-        .findFirst();
+    if (held.massKg().isEmpty()) {
+      return Optional.empty();
+    }
+    MassSettings mass = new MassSettings(held.massKg().getAsDouble(), new Vec3());
+    return Optional.of(new MassiveTool(tool, coupling, ClosedLoop.FRICTION, mass));
   }
 
   /** Returns the root mean square distance of the tool's matter from its centre, mm. */
@@ -142,8 +146,8 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, Held h
     return ToolSampler.ofShape(RodShape.capsule(radiusMm, held.lengthMm()), COVER_RADIUS_MM);
   }
 
-  /** Returns the orientation that lays a rod, which is along z, nearly flat on the wall. */
-  private Quaternion upright() {
+  /** Returns the orientation: a needle is along z, and a rod lies nearly flat on the wall. */
+  private Quaternion orientation() {
     double turnRad = held.isNeedle() ? 0 : Math.PI / 2 - TILT_RAD;
     return new Quaternion().setRotationVector(new Vec3(0, turnRad, 0));
   }
@@ -153,7 +157,7 @@ public record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, Held h
     double voxelMm = TouchedShape.VOXEL_MM;
     double lowMm =
         held.isNeedle()
-            ? TISSUE_LAYERS * voxelMm + NEEDLE_LENGTH_MM / 2
+            ? TISSUE_TOP * voxelMm + NEEDLE_LENGTH_MM / 2
             : WALL_LAYERS * voxelMm + 0.5 * held.lengthMm() * Math.sin(TILT_RAD) + ROD_RADIUS_MM;
     return new Vec3(EDGE / 2 * voxelMm, EDGE / 2 * voxelMm, lowMm);
   }
