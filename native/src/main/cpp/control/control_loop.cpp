@@ -40,6 +40,12 @@ constexpr int64_t kLeastWindowNanos = 20000;
 constexpr int64_t kMostWindowNanos = 400000;
 constexpr int kWindowSleeps = 200;
 
+// As in RestBudget in Java: the sleep over the kernel's rest, the least debt that is worth a sleep,
+// and the debt that is paid even if a frame is late then.
+constexpr double kRestMargin = 1.2;
+constexpr double kLeastOwedNanos = 50000;
+constexpr double kMostWaitingNanos = 2000000;
+
 struct Record {
   int64_t due;
   int64_t start;
@@ -89,14 +95,11 @@ int64_t measureWindow(int64_t period) {
   return std::clamp(covered + covered / 4, kLeastWindowNanos, kMostWindowNanos);
 }
 
-/**
- * The sleep that a real-time thread owes the kernel, by the rule of RestBudget in Java: a debt of
- * 50 us is paid in a frame that has room for it, and one of 2 ms in any frame.
- */
+/** The sleep that a real-time thread owes the kernel, by the rule of RestBudget in Java. */
 class RestBudget {
  public:
   RestBudget(int64_t restMicros, int64_t periodMicros)
-      : fraction_(std::min(1.0, 1.2 * restMicros / periodMicros)),
+      : fraction_(std::min(1.0, kRestMargin * restMicros / periodMicros)),
         mostOwed_(fraction_ * periodMicros * 1000) {}
 
   /** Returns when a sleep is to end that begins now; the present time if none is due. */
@@ -106,7 +109,8 @@ class RestBudget {
     }
     last_ = now;
     int64_t wake = now + static_cast<int64_t>(std::ceil(owed_));
-    return owed_ >= 50000 && (wake <= due || owed_ >= 2000000) ? wake : now;
+    bool mayBeLate = owed_ >= kMostWaitingNanos;
+    return owed_ >= kLeastOwedNanos && (wake <= due || mayBeLate) ? wake : now;
   }
 
   void slept(int64_t now) {
