@@ -49,12 +49,10 @@ final class HtmlReport {
         .append("<title>How late is this JVM?</title><style>" + STYLE + "</style>")
         .append("<h1>How late is this JVM?</h1>")
         .append("<p>Each row is a loop in a fresh process, at 1 kHz unless its name has another")
-        .append(
-            " rate. Late is the time from a deadline to the start of its frame. The curves are"
-                + " corrected for frames that")
-        .append(" the loop omitted while it was delayed (coordinated omission); the tables show")
-        .append(" both. A percentile that needs more frames than an experiment has equals its")
-        .append(" maximum.</p>");
+        .append(" rate. Late is the time from a deadline to the start of its frame. The curves")
+        .append(" are corrected for frames that the loop omitted while it was delayed")
+        .append(" (coordinated omission); the tables show both. A percentile that needs more")
+        .append(" frames than an experiment has equals its maximum.</p>");
     addMachine();
     for (ExperimentTable table : run.tables()) {
       addTable(table);
