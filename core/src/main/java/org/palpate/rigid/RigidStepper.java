@@ -340,13 +340,11 @@ final class RigidStepper {
       return addFound(body, point, riseMm);
     }
     int same = contacts.contactAt(body, own, SAME_PLACE_EDGES * edgeMm);
+    if (same >= 0) {
+      return same;
+    }
     int nearest = SampleNeighbours.nearest(verifier.pair(body).points.shape, point, field.at);
-    boolean isNew = contacts.surfaceContact(body, nearest) < 0;
-    return same >= 0 ? same : addFound(body, isNew ? nearest : point, riseMm);
-  }
-
-  private int addSurface(int body, int point, double riseMm) {
-    return findSurface(body, point) ? addFound(body, point, riseMm) : -1;
+    return addFound(body, contacts.surfaceContact(body, nearest) < 0 ? nearest : point, riseMm);
   }
 
   private boolean findSurface(int body, int point) {
@@ -429,7 +427,7 @@ final class RigidStepper {
     int point = hits.point[hit];
     int contact = contacts.surfaceContact(body, point);
     if (contact < 0) {
-      contact = addSurface(body, point, 0);
+      contact = findSurface(body, point) ? addFound(body, point, 0) : -1;
       if (contact < 0) {
         return addFace(hit);
       }
