@@ -61,18 +61,11 @@ final class CellCorrections {
      */
     boolean find(CollisionScene scene, int number, int x, int y, int z);
 
-    /** Returns the slot of a brick of the copy that has corrections, for the next two methods. */
+    /** Returns the slot in {@link #slots} of a brick of the copy that has corrections. */
     int slotOf(CollisionScene scene, int x, int y, int z);
 
-    /** Returns the cells of a brick whose occupancy differs from their bit, a bit each. */
-    long corrected(int slot);
-
-    /**
-     * Returns by how much the occupancy of a cell differs from its bit, in {@link #FRACTIONS}.
-     *
-     * @param bit the cell's place in the brick's word; a corrected one
-     */
-    int correction(int slot, int bit);
+    /** Returns the corrections that were found, always the same object. */
+    Slots slots();
 
     /**
      * Whether a correction counts in a window where the seed does not reach all empty cells.
@@ -83,6 +76,48 @@ final class CellCorrections {
 
     /** Forgets all corrections. */
     void forget();
+  }
+
+  /** The corrections of some bricks, each in a slot. */
+  static final class Slots {
+    private static final int CELLS = 64;
+
+    /** For each slot the corrected cells, a bit each. */
+    private final long[] corrected;
+
+    /** For each slot and cell the correction, valid where {@link #corrected}. */
+    private final byte[] corrections;
+
+    Slots(int count) {
+      corrected = new long[count];
+      corrections = new byte[CELLS * count];
+    }
+
+    /** Removes the corrections of a brick. */
+    void clear(int slot) {
+      corrected[slot] = 0;
+    }
+
+    /** Returns the cells of a brick whose occupancy differs from their bit, a bit each. */
+    long corrected(int slot) {
+      return corrected[slot];
+    }
+
+    /**
+     * Returns by how much the occupancy of a cell differs from its bit, in {@link #FRACTIONS}.
+     *
+     * @param bit the cell's place in the brick's word; a corrected one
+     */
+    int correction(int slot, int bit) {
+      return corrections[CELLS * slot + bit];
+    }
+
+    /** Adds to the correction of a cell; the sum must fit into a byte. */
+    void add(int slot, int bit, int correction) {
+      int before = (corrected[slot] >>> bit & 1) == 0 ? 0 : correction(slot, bit);
+      corrections[CELLS * slot + bit] = (byte) (before + correction);
+      corrected[slot] |= 1L << bit;
+    }
   }
 
   /**
@@ -164,7 +199,7 @@ final class CellCorrections {
       int slot =
           source.slotOf(
               scene, knownX + (brick & 3), knownY + (brick >> 2 & 3), knownZ + (brick >> 4));
-      add(source, slot, source.corrected(slot) & inside, x, y, z);
+      add(source, slot, source.slots().corrected(slot) & inside, x, y, z);
     }
   }
 
@@ -177,7 +212,7 @@ final class CellCorrections {
       int y = brickY + (bit >> 2 & 3);
       int z = brickZ + (bit >> 4);
       if (all || source.counts(window, x, y, z)) {
-        rows[EDGE * z + y] += source.correction(slot, bit) * weights[x];
+        rows[EDGE * z + y] += source.slots().correction(slot, bit) * weights[x];
         layers |= 1 << z;
       }
     }

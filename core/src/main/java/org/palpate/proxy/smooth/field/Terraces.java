@@ -23,7 +23,6 @@ final class Terraces implements CellCorrections.Source {
   /** Surfaces are not bent, however long a terrace is: the outlines of two layers give them. */
   private static final double NEVER_BENT = Double.POSITIVE_INFINITY;
 
-  private static final int CELLS = 64;
   private static final int BRICKS = 64;
 
   /** The number of the last column of a tile along u or v. */
@@ -40,11 +39,8 @@ final class Terraces implements CellCorrections.Source {
   private final BrickCopy copy;
   private final Axis[] axes;
 
-  /** For each brick of the copy the cells with a correction, a bit each. */
-  private final long[] corrected = new long[BRICKS];
-
-  /** For each brick and cell the correction, valid where {@link #corrected}. */
-  private final byte[] corrections = new byte[BRICKS * CELLS];
+  /** The corrections of each brick of the copy. */
+  private final CellCorrections.Slots slots = new CellCorrections.Slots(BRICKS);
 
   /**
    * Creates the corrections of the cells of a grid.
@@ -118,13 +114,8 @@ final class Terraces implements CellCorrections.Source {
   }
 
   @Override
-  public long corrected(int slot) {
-    return corrected[slot];
-  }
-
-  @Override
-  public int correction(int slot, int bit) {
-    return corrections[CELLS * slot + bit];
+  public CellCorrections.Slots slots() {
+    return slots;
   }
 
   /** Cells that the seed does not reach count as solid, and their terraces do not matter. */
@@ -136,7 +127,7 @@ final class Terraces implements CellCorrections.Source {
   /** Corrects the cells of a brick; returns whether there are any. */
   private boolean correct(CollisionScene scene, long brick, int number, int x, int y, int z) {
     int slot = slotOf(scene, x, y, z);
-    corrected[slot] = 0;
+    slots.clear(slot);
     for (Axis axis : axes) {
       int empty = axis.wholeLayers(~brick);
       if (empty != 0) {
@@ -153,7 +144,7 @@ final class Terraces implements CellCorrections.Source {
         }
       }
     }
-    return corrected[slot] != 0;
+    return slots.corrected(slot) != 0;
   }
 
   /**
@@ -186,17 +177,10 @@ final class Terraces implements CellCorrections.Source {
     for (int column = 0; column < ShapeInterpolation.COLUMNS; column++) {
       int correction = CellCorrections.inFractions(axis.heights[column] - 0.5);
       if (correction != 0) {
-        add(correction, axis.slices.bitOf(column & 3, column >> 2, layer & 3), slot);
+        // A cell may lie on several terraces, such as in a corner: their corrections add up.
+        slots.add(slot, axis.slices.bitOf(column & 3, column >> 2, layer & 3), correction);
       }
     }
-  }
-
-  /** Adds to the correction of a cell, which may lie on several terraces, such as in a corner. */
-  private void add(int correction, int bit, int slot) {
-    int at = CELLS * slot + bit;
-    boolean isFirst = (corrected[slot] >>> bit & 1) == 0;
-    corrections[at] = (byte) (isFirst ? correction : corrections[at] + correction);
-    corrected[slot] |= 1L << bit;
   }
 
   /** The layers of cells across one axis. */

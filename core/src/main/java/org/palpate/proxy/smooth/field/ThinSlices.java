@@ -20,9 +20,6 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
 
   private static final int COLUMNS = ShapeInterpolation.COLUMNS;
 
-  /** The cells of a brick. */
-  private static final int CELLS = 64;
-
   /** The most cells of a pair. */
   private static final int MAX_CELLS = ThinGrid.MAX_PER_VOXEL + 1;
 
@@ -62,11 +59,8 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   /** The occupancy of that cell less its bit, in {@link CellCorrections#FRACTIONS}. */
   private final byte[] columnCorrections = new byte[CacheKeys.SLOTS * COLUMNS];
 
-  /** For each brick the cells with a correction, a bit each. */
-  private final long[] corrected = new long[CacheKeys.SLOTS];
-
-  /** For each brick and cell the correction, valid where {@link #corrected}. */
-  private final byte[] corrections = new byte[CacheKeys.SLOTS * CELLS];
+  /** The corrections of each brick. */
+  private final CellCorrections.Slots slots = new CellCorrections.Slots(CacheKeys.SLOTS);
 
   /**
    * Creates the thin slices of one cut.
@@ -126,7 +120,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     int slot = CacheKeys.slot(x, y, z);
     if (!brickKeys.holdsElseSet(slot, x, y, z)) {
       slices.use(scene);
-      corrected[slot] = 0;
+      slots.clear(slot);
       bricks[slot] = make(x, y, z, slot);
     }
     return slot;
@@ -134,17 +128,12 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
 
   @Override
   public boolean find(CollisionScene scene, int number, int x, int y, int z) {
-    return corrected[slotOf(scene, x, y, z)] != 0;
+    return slots.corrected(slotOf(scene, x, y, z)) != 0;
   }
 
   @Override
-  public long corrected(int slot) {
-    return corrected[slot];
-  }
-
-  @Override
-  public int correction(int slot, int bit) {
-    return corrections[CELLS * slot + bit];
+  public CellCorrections.Slots slots() {
+    return slots;
   }
 
   /**
@@ -195,9 +184,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
       int column = Integer.numberOfTrailingZeros(left);
       int correction = columnCorrections[COLUMNS * tile + column];
       if (correctedCells[COLUMNS * tile + column] == inPair && correction != 0) {
-        int bit = slices.bitOf(column & 3, column >> 2, layer);
-        corrected[to] |= 1L << bit;
-        corrections[CELLS * to + bit] = (byte) correction;
+        slots.add(to, slices.bitOf(column & 3, column >> 2, layer), correction);
       }
     }
   }

@@ -185,8 +185,8 @@ class ThinSlicesTest {
     assertEquals(Long.toHexString(expected), Long.toHexString(brickBits), where);
     int slot = slices.slotOf(scene, brick[0], brick[1], brick[2]);
     for (int n = 0; n < 64; n++) {
-      boolean corrected = (slices.corrected(slot) >>> n & 1) != 0;
-      double correction = corrected ? slices.correction(slot, n) / 32.0 : 0;
+      boolean corrected = (slices.slots().corrected(slot) >>> n & 1) != 0;
+      double correction = corrected ? slices.slots().correction(slot, n) / 32.0 : 0;
       double occupancy =
           naive.occupancy(
               4 * brick[0] + (n & 3), 4 * brick[1] + (n >> 2 & 3), 4 * brick[2] + (n >> 4));
