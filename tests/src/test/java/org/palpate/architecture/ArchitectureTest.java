@@ -218,7 +218,7 @@ class ArchitectureTest {
           Map.entry("scene", List.of("elastic", "scene.surface", "sync")),
           Map.entry("scene.gl", List.of("scene")),
           Map.entry("scene.surface", List.of("volume")),
-          Map.entry("scene.window", List.of("scene.gl")),
+          Map.entry("scene.window", List.of("display", "scene.gl")),
           Map.entry("scijava", List.of("app")),
           Map.entry("statistics", List.of()),
           Map.entry("sync", List.of("geometry")),

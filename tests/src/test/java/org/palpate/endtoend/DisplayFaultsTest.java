@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -125,10 +126,10 @@ class DisplayFaultsTest {
       process =
           start(
               on(display.display(), "touch", "--phantom", "sphere:32", "--record", recording), out);
-      await(process, () -> draws(process.pid()));
+      await(process, out, () -> draws(process.pid()));
     }
     // Either Xlib detects the loss, or the driver does if it is drawing.
-    await(process, () -> Files.readString(out).contains("the session goes on without it"));
+    await(process, out, () -> Files.readString(out).contains("the session goes on without it"));
     process.destroy(); // SIGTERM, as Ctrl-C is SIGINT
     assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "the process does not end");
     assertEquals(0, process.exitValue(), Files.readString(out));
@@ -143,7 +144,7 @@ class DisplayFaultsTest {
     try (XServer display = XServer.start()) {
       process =
           start(on(display.display(), "touch", "--phantom", "sphere:32", "--device", "mouse"), out);
-      await(process, () -> draws(process.pid()));
+      await(process, out, () -> draws(process.pid()));
     }
     assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "the process does not end");
     assertEquals(1, process.exitValue(), Files.readString(out));
@@ -159,12 +160,21 @@ class DisplayFaultsTest {
     boolean holds() throws IOException;
   }
 
-  private static void await(Process process, Condition condition) throws IOException {
+  private static void await(Process process, Path out, Condition condition) throws IOException {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
-    while (!condition.holds() && System.nanoTime() < end && process.isAlive()) {
+    while (!condition.holds()) {
+      boolean waits = System.nanoTime() < end && process.isAlive();
+      assertTrue(waits, () -> "the condition never held; printed: " + text(out));
       Thread.onSpinWait();
     }
-    assertTrue(condition.holds(), "the condition never held");
+  }
+
+  private static String text(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /** Whether the process has its drawing thread. */

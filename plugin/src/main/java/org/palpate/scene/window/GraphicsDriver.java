@@ -2,6 +2,7 @@ package org.palpate.scene.window;
 
 import com.jogamp.opengl.GLProfile;
 import java.util.Optional;
+import org.palpate.display.DisplayConnection;
 
 /** Finds and loads the graphics driver. Any thread. */
 public final class GraphicsDriver {
@@ -104,6 +105,7 @@ public final class GraphicsDriver {
       throw new GraphicsException(
           MISSING_DISPLAY.get(), "set DISPLAY, or install xvfb and use xvfb-run", null);
     }
+    DisplayConnection.hold();
     try {
       if (!GLProfile.isAvailable(GLProfile.GL3)) {
         throw new GraphicsException(
