@@ -1,8 +1,14 @@
 package org.palpate.benchmarks.elastic;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.math.BigDecimal;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.elastic.ElasticBody;
+import org.palpate.elastic.ElasticBodyVariants;
+import org.palpate.elastic.lattice.LatticeLayout;
 
 class TetrahedronJudgeTest {
   private static double[][] cube() {
@@ -57,5 +63,127 @@ class TetrahedronJudgeTest {
     }
     TetrahedronJudge judge = judged(corners);
     assertEquals(6, judge.exactDecisions());
+  }
+
+  @Test
+  void doublesSufficeForACubeAndItsMirrorImage() {
+    assertEquals(0, judged(cube()).exactDecisions());
+    double[][] corners = cube();
+    for (double[] corner : corners) {
+      corner[2] = -corner[2];
+    }
+    assertEquals(0, judged(corners).exactDecisions());
+  }
+
+  /** All corners lie near one plane, so that rounding alone gives a tetrahedron its sign. */
+  @Test
+  void agreesWithDeterminantsOfDecimalFractionsWhereRoundingDecides() {
+    SplittableRandom random = new SplittableRandom(20_261_129);
+    TetrahedronJudge judge = new TetrahedronJudge();
+    long expected = 0;
+    for (int cell = 0; cell < 3_000; cell++) {
+      double[][] corners = cube();
+      for (double[] corner : corners) {
+        corner[0] += random.nextDouble(0.2);
+        corner[1] += random.nextDouble(0.2);
+        corner[2] = 0.1 * corner[0] + 0.3 * corner[1] + random.nextInt(-1, 2) * 0x1p-54;
+      }
+      expected += naiveNotPositive(corners);
+      judge.judge(corners);
+    }
+    assertEquals(expected, judge.notPositive());
+    assertEquals(6 * 3_000, judge.judged());
+    assertTrue(judge.exactDecisions() > 10_000, "exact: " + judge.exactDecisions());
+    assertTrue(expected > 5_000 && expected < 13_000, "not positive: " + expected);
+  }
+
+  @Test
+  void agreesWithDeterminantsOfDecimalFractionsForCornersAnywhere() {
+    SplittableRandom random = new SplittableRandom(20_261_130);
+    TetrahedronJudge judge = new TetrahedronJudge();
+    long expected = 0;
+    for (int cell = 0; cell < 2_000; cell++) {
+      double[][] corners = cube();
+      double spread = random.nextDouble(1.5);
+      for (double[] corner : corners) {
+        for (int axis = 0; axis < 3; axis++) {
+          corner[axis] += random.nextDouble(-spread, spread + 1e-9);
+        }
+      }
+      expected += naiveNotPositive(corners);
+      judge.judge(corners);
+    }
+    assertEquals(expected, judge.notPositive());
+    assertTrue(expected > 1_000 && expected < 9_000, "not positive: " + expected);
+  }
+
+  /**
+   * Counts the tetrahedra that are not positive. A tetrahedron goes from corner 0 to corner 7 along
+   * the axes in one order; an odd order is the mirror image of an even one.
+   */
+  private static long naiveNotPositive(double[][] corners) {
+    int[][] orders = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    long count = 0;
+    for (int n = 0; n < orders.length; n++) {
+      int[] order = orders[n];
+      double[] first = corners[1 << order[0]];
+      double[] second = corners[1 << order[0] | 1 << order[1]];
+      int sign = determinant(corners[0], first, second, corners[7]).signum();
+      count += (n < 3 ? sign : -sign) > 0 ? 0 : 1;
+    }
+    return count;
+  }
+
+  /** Returns the determinant of three points seen from a fourth, term by term. */
+  private static BigDecimal determinant(double[] from, double[] p, double[] q, double[] r) {
+    int[][] permutations = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    BigDecimal sum = BigDecimal.ZERO;
+    for (int n = 0; n < permutations.length; n++) {
+      int[] axes = permutations[n];
+      BigDecimal product =
+          difference(p, from, axes[0])
+              .multiply(difference(q, from, axes[1]))
+              .multiply(difference(r, from, axes[2]));
+      sum = n < 3 ? sum.add(product) : sum.subtract(product);
+    }
+    return sum;
+  }
+
+  private static BigDecimal difference(double[] a, double[] b, int axis) {
+    return new BigDecimal(a[axis]).subtract(new BigDecimal(b[axis]));
+  }
+
+  /** A block that is pressed hard bulges and stays unfolded; every cell of its lattice counts. */
+  @Test
+  void judgesEveryCellOfABodyWhereTheHapticThreadSeesIt() {
+    ElasticSession session = PressStudy.above(Softness.USUAL);
+    session.moveTo(session.hand().x, session.hand().y, 38, 200);
+    ElasticBody body = session.body();
+    LatticeLayout layout = ElasticBodyVariants.layout(body);
+    long cells = (long) layout.cells(0) * layout.cells(1) * layout.cells(2);
+    TetrahedronJudge judge = new TetrahedronJudge();
+    judge.judge(body);
+    assertEquals(6 * cells, judge.judged());
+    assertEquals(0, judge.notPositive());
+    TetrahedronJudge byHand = new TetrahedronJudge();
+    double moved = 0;
+    for (int z = 0; z < layout.cells(2); z++) {
+      for (int y = 0; y < layout.cells(1); y++) {
+        for (int x = 0; x < layout.cells(0); x++) {
+          double[][] corners = new double[8][3];
+          for (int n = 0; n < 8; n++) {
+            int[] at = {x + (n & 1), y + (n >> 1 & 1), z + (n >> 2)};
+            int node = layout.node(at[0], at[1], at[2]);
+            for (int axis = 0; axis < 3; axis++) {
+              corners[n][axis] = ElasticBodyVariants.nodePosition(body, node, axis);
+              moved = Math.max(moved, Math.abs(corners[n][axis] - at[axis]));
+            }
+          }
+          byHand.judge(corners);
+        }
+      }
+    }
+    assertEquals(byHand.exactDecisions(), judge.exactDecisions());
+    assertTrue(moved > 0.05, "the hand presses: " + moved + " of a cell");
   }
 }

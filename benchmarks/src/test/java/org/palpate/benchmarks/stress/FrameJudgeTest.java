@@ -190,4 +190,88 @@ class FrameJudgeTest {
     move(0.75, 0.5, 1.5, 0.25);
     assertNull(fault(judge, 3, 0.5, 0.5));
   }
+
+  /** A coordinate of 2^23 has steps of 2^-29, so that w_max must be above 2^-9 times the edge. */
+  @Test
+  void theLongestEdgeOfAVoxelDecidesWhetherDoublesResolveAStep() {
+    double[] far = {0x1p23, 0.5, 0.5};
+    double[] spacings = {8, 1, 1};
+    for (int coordinate = 0; coordinate < 3; coordinate++) {
+      for (int longest = 0; longest < 3; longest++) {
+        Vec3 start = new Vec3(0.5, 0.5, 0.5);
+        start.set(coordinate, far[0]);
+        Vec3 spacing = new Vec3(spacings[1], spacings[1], spacings[1]);
+        spacing.set(longest, spacings[0]);
+        String what = "coordinate " + coordinate + ", longest edge " + longest;
+        assertEquals(50, acceptedFrom(start, spacing, 0x1p-6), what);
+        assertEquals(3, acceptedFrom(start, spacing, 0x1.1p-6), what);
+      }
+    }
+  }
+
+  /** Alternates between two positions one step of doubles apart, beside a resting device. */
+  private int acceptedFrom(Vec3 start, Vec3 spacingMm, double maxStepMm) {
+    BitCube bits = new BitCube(5, 5, 5);
+    FrameJudge judge =
+        new FrameJudge(
+            new HostileScene("planted", bits, spacingMm, maxStepMm), start, SolverFactory.SMOOTH);
+    InteractionPoint moving = new InteractionPoint();
+    moving.position.set(start);
+    Vec3 device = new Vec3(start.x, start.y, start.z);
+    int settle = SolverFactory.SMOOTH.framesToSettle();
+    for (int n = 1; n <= 47 + settle; n++) {
+      Vec3 p = moving.position;
+      moving.legs.clear();
+      double to = n % 2 == 0 ? 0.5 : Math.nextUp(0.5);
+      int axis = start.y == 0.5 ? 1 : 2;
+      Vec3 end = new Vec3(p.x, p.y, p.z);
+      end.set(axis, to);
+      moving.legs.add(p.x, p.y, p.z, end.x, end.y, end.z, 0, false);
+      p.set(end);
+      if (judge.fault(device, moving, 0) != null) {
+        return n - 1 - settle + 3;
+      }
+    }
+    return 50;
+  }
+
+  @Test
+  void aDeviceFarAwayIsNotJudgedByTheNumberOfFrames() {
+    FrameJudge judge = judge(SolverFactory.SMOOTH, 1e-3);
+    int settle = SolverFactory.SMOOTH.framesToSettle();
+    for (int n = 1; n <= settle + 20; n++) {
+      creep(n);
+      assertNull(judge.fault(new Vec3(1e9, 0.5, 0.5), point, 0), "frame " + n);
+    }
+  }
+
+  @Test
+  void aPathOfManyLongestStepsMayTakeTwiceAsManyFrames() {
+    FrameJudge judge = judge();
+    point.position.set(START);
+    int accepted = 0;
+    for (int n = 1; n <= 60; n++) {
+      double to = n <= 5 ? START.x + 4 * n : START.x + 20 + n * 1e-9;
+      move(to, 0.5, 0.5, n <= 5 ? 4 : 1e-9);
+      if (judge.fault(new Vec3(900, 0.5, 0.5), point, 0) != null) {
+        break;
+      }
+      accepted = n;
+    }
+    assertEquals(11 + 2, accepted, "10 for 20 mm, one for the rest of it, and two to settle");
+  }
+
+  @Test
+  void anExactDecisionIsCounted() {
+    FrameJudge judge = judge();
+    move(1.5, 0.5, 0.5, 1);
+    fault(judge, 3, 3, 0.5);
+    assertEquals(0, judge.exactDecisions());
+    point.position.set(START);
+    judge = judge();
+    move(1, 3, 2.5, 3);
+    add(3, 1, 2.5, 1);
+    assertEquals("leg 1 touches a solid", fault(judge, 3, 1, 2.5));
+    assertTrue(judge.exactDecisions() > 0, "the leg passes through an edge of the voxel");
+  }
 }
