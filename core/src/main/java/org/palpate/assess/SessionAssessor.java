@@ -29,15 +29,15 @@ public final class SessionAssessor implements FrameObserver {
   /** A longer pause between two samples counts as this long. */
   private static final double LONGEST_SECONDS = 1;
 
-  private final ContactTally[] objects;
+  private final ContactStatistics[] objects;
   private final boolean[] isForbidden;
-  private final ContactTally whole = new ContactTally();
+  private final ContactStatistics whole = new ContactStatistics();
   private final Histogram milliNewton = new Histogram(MOST_MILLINEWTON, 3);
   private final TremorSpectrum tremor = new TremorSpectrum();
   private final SteadyPath hand = new SteadyPath(tremor::add);
   private final SteadyPath tool = new SteadyPath(SteadyPath.Sink.NONE);
   private final SessionCourse course = new SessionCourse();
-  private final HoldTally holds = new HoldTally();
+  private final HoldRecorder holds = new HoldRecorder();
   private long frames;
   private long freed;
   private long firstNanos;
@@ -52,10 +52,10 @@ public final class SessionAssessor implements FrameObserver {
    * @param forbidden the indices of those that the tool must not touch
    */
   public SessionAssessor(int objects, Set<Integer> forbidden) {
-    this.objects = new ContactTally[objects];
+    this.objects = new ContactStatistics[objects];
     isForbidden = new boolean[objects];
     for (int n = 0; n < objects; n++) {
-      this.objects[n] = new ContactTally();
+      this.objects[n] = new ContactStatistics();
       isForbidden[n] = forbidden.contains(n);
     }
   }
@@ -78,7 +78,7 @@ public final class SessionAssessor implements FrameObserver {
   }
 
   private void addContacts(FrameRecord frame, double elapsed) {
-    for (ContactTally object : objects) {
+    for (ContactStatistics object : objects) {
       object.begin();
     }
     whole.begin();
@@ -90,7 +90,7 @@ public final class SessionAssessor implements FrameObserver {
     } else {
       lastObject = -1;
     }
-    for (ContactTally object : objects) {
+    for (ContactStatistics object : objects) {
       object.end(frame, seconds, elapsed);
     }
     whole.end(frame, seconds, elapsed);
@@ -167,12 +167,12 @@ public final class SessionAssessor implements FrameObserver {
   }
 
   /** Returns all contacts together. */
-  public ContactTally contacts() {
+  public ContactStatistics contacts() {
     return whole;
   }
 
   /** Returns the contacts with an object. */
-  public ContactTally contacts(int object) {
+  public ContactStatistics contacts(int object) {
     return objects[object];
   }
 

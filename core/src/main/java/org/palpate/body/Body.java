@@ -15,7 +15,7 @@ import org.palpate.volume.VoxelGrid;
  * <p>Belongs to the haptic thread. Code that edits the voxels must call {@link #voxelsChanged}.
  */
 public final class Body {
-  /** More than one frame makes, so that nobody who looks at each frame's edits misses a box. */
+  /** The edits whose boxes are kept. One frame makes fewer, so a reader in each frame gets all. */
   private static final int REMEMBERED_EDITS = 128;
 
   private final String name;

@@ -2,7 +2,10 @@ package org.palpate.body;
 
 import org.palpate.geometry.Pose;
 
-/** Receives where bodies are put. Haptic thread: an implementation allocates nothing. */
+/**
+ * Receives each new pose of a body and the event that caused it. Haptic thread: an implementation
+ * allocates nothing.
+ */
 @FunctionalInterface
 public interface BodyListener {
   /** Ignores everything. */

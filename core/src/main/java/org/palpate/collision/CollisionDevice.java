@@ -18,7 +18,7 @@ public interface CollisionDevice extends AutoCloseable {
   CollisionDevice CPU = new CpuCollisionDevice();
 
   /**
-   * Hands voxels to the device. Allocates.
+   * Hands voxels to the device and returns them as the device keeps them. Allocates.
    *
    * @param voxels the caller reports changes by {@link DeviceVoxels#voxelsChanged}
    */

@@ -17,6 +17,7 @@ public interface HapticDevice extends AutoCloseable {
    * Reads the newest sample. It waits for a fraction of a frame at most.
    *
    * @param state filled if the result is {@link ReadStatus#FRESH}; else unchanged
+   * @return whether there is a new sample, or why not
    */
   ReadStatus read(DeviceState state);
 

@@ -69,7 +69,7 @@ public final class BrushEdit extends BoxEdit {
   void findBox(VoxelWriter out) {
     if (path.isPresent()) {
       boolean isPlaced =
-          solid ? out.tool().devicePoint(segment(), to) : out.tool().touchedPoint(segment(), to);
+          solid ? out.tool().devicePosition(segment(), to) : out.tool().touchedPoint(segment(), to);
       if (!isPlaced) {
         return;
       }

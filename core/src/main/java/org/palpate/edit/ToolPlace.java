@@ -17,7 +17,7 @@ public interface ToolPlace {
         }
 
         @Override
-        public boolean devicePoint(int segment, Vec3 destGrid) {
+        public boolean devicePosition(int segment, Vec3 destGrid) {
           return false;
         }
 
@@ -45,7 +45,7 @@ public interface ToolPlace {
    *
    * @return false if the tool has no place yet
    */
-  boolean devicePoint(int segment, Vec3 destGrid);
+  boolean devicePosition(int segment, Vec3 destGrid);
 
   /**
    * Writes the map from the grid coordinates of a segment to the tool frame at the device pose, mm.

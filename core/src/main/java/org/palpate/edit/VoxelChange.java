@@ -5,7 +5,7 @@ package org.palpate.edit;
  *
  * @param frame the frame that made it, from 0
  * @param segment index of the segment in the scene
- * @param i the voxel, as are j and k
- * @param solid whether it became solid; empty else
+ * @param i index of the voxel along x; j and k are those along y and z
+ * @param solid whether the voxel became solid; otherwise it became empty
  */
 public record VoxelChange(long frame, int segment, int i, int j, int k, boolean solid) {}

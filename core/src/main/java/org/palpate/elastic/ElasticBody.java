@@ -40,7 +40,10 @@ public final class ElasticBody {
     return contact;
   }
 
-  /** Tells a listener what the fields follow from. Call it before the first frame and update. */
+  /**
+   * Sets the listener that receives the inputs of all updates, for a recording. Call it before the
+   * first frame and the first update.
+   */
   public void listen(UpdateListener listener) {
     contact.listen(listener);
     updater.listen(listener);

@@ -4,8 +4,8 @@ import org.palpate.elastic.lattice.CellStiffness;
 import org.palpate.geometry.Vec3;
 
 /**
- * Receives what the fields of a live session follow from, so that a {@link RecordedUpdates} can
- * compute the same fields again.
+ * Receives the inputs of each update of a live session, for a recording. {@link RecordedUpdates}
+ * computes the same fields from them again.
  */
 public interface UpdateListener {
   /** Listens to nothing. */

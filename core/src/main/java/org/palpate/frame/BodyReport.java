@@ -7,7 +7,7 @@ import org.palpate.body.BodyListener;
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 
-/** Reports where bodies are put to a listener. Haptic thread; a report allocates nothing. */
+/** Reports new poses of bodies to a listener. Haptic thread; a report allocates nothing. */
 final class BodyReport {
   private final BodyScene bodies;
   private final Grasp grasp;

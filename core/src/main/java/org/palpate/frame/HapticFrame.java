@@ -383,8 +383,9 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   }
 
   /**
-   * Returns the number of the new sample, from 0, with which a replay makes a change of voxels that
-   * this frame makes: its own, or the next one if it has none. Haptic thread.
+   * Returns the number, from 0, under which a recording notes changes of voxels by this frame. A
+   * replay has a frame for each new sample. So it is the number of the frame's own new sample or,
+   * if the frame has none, that of the next one. Haptic thread.
    */
   public long sampleOfChanges() {
     return isSampleNew ? samples - 1 : samples;

@@ -108,7 +108,7 @@ public final class PointFrame extends HapticFrame {
     }
 
     @Override
-    public boolean devicePoint(int segment, Vec3 destGrid) {
+    public boolean devicePosition(int segment, Vec3 destGrid) {
       destGrid.set(elastic == null ? deviceGrid : elastic.deviceAtRest());
       return placed;
     }

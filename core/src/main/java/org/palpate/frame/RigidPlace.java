@@ -69,7 +69,7 @@ final class RigidPlace implements ToolPlace {
   }
 
   @Override
-  public boolean devicePoint(int segment, Vec3 destGrid) {
+  public boolean devicePosition(int segment, Vec3 destGrid) {
     if (isPlaced) {
       worldToGrid(segment, destGrid.set(device.translation));
     }

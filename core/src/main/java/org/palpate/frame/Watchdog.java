@@ -84,6 +84,7 @@ public final class Watchdog {
    * @param status result of the read, not {@link ReadStatus#DISCONNECTED}
    * @param sample the device's last sample
    * @param nowNanos the beginning of the frame
+   * @return whether the sample is new, and whether the last force may be held
    */
   public Verdict judge(ReadStatus status, DeviceState sample, long nowNanos) {
     updateFrameClock(nowNanos);

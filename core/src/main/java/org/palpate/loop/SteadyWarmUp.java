@@ -58,6 +58,7 @@ public final class SteadyWarmUp {
    * @param frame one frame
    * @param minFrames the least number of frames, because frames differ in what they do
    * @param limitNanos the longest time; a batch that has begun is completed
+   * @return whether the time is steady, and how many frames ran
    */
   public Result run(Runnable frame, int minFrames, long limitNanos) {
     long start = clock.nanoTime();

@@ -15,8 +15,8 @@ public interface ThreadSetup {
   ThreadSetup NONE = () -> Granted.NOTHING;
 
   /**
-   * Prepares the thread. The haptic thread calls it once, before its first frame. A denied request
-   * is no failure: the result reports it.
+   * Prepares the thread and returns what the system granted. The haptic thread calls it once,
+   * before its first frame. A denied request is no failure: the result reports it.
    */
   Granted setUp();
 

@@ -35,7 +35,7 @@ final class WayOut {
 
   private static final double GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
-  private final List<Obstacle> obstacles = new ArrayList<>();
+  private final List<OtherBody> others = new ArrayList<>();
   private final List<Double> shiftsMm = new ArrayList<>();
   private final double farMm;
   private final Vec3 direction = new Vec3(0, 0, 1);
@@ -45,9 +45,9 @@ final class WayOut {
    * Another body, and the points of the fragment in the grid coordinates of that body: those near
    * its voxels, and some of all.
    */
-  private record Obstacle(BitCube bits, AffineMap worldToGrid, List<Vec3> near, List<Vec3> some) {
+  private record OtherBody(BitCube bits, AffineMap worldToGrid, List<Vec3> near, List<Vec3> some) {
 
-    static Obstacle of(Body body, Vec3[] world) {
+    static OtherBody of(Body body, Vec3[] world) {
       AffineMap map = body.toolToGrid(new Pose(), new AffineMap());
       List<Vec3> near = new ArrayList<>();
       List<Vec3> some = new ArrayList<>();
@@ -60,7 +60,7 @@ final class WayOut {
           some.add(p);
         }
       }
-      return new Obstacle(body.bits(), map, near, some);
+      return new OtherBody(body.bits(), map, near, some);
     }
 
     /** Whether a point may lie in a voxel after a shift of up to {@code FAR_EDGES}. */
@@ -102,7 +102,7 @@ final class WayOut {
   WayOut(BodyScene scene, int fragment, Vec3[] points, double reachMm) {
     for (int n = 0; n < scene.count(); n++) {
       if (n != fragment) {
-        obstacles.add(Obstacle.of(scene.body(n), points));
+        others.add(OtherBody.of(scene.body(n), points));
       }
     }
     farMm = FAR_EDGES * scene.shortestEdgeMm();
@@ -163,7 +163,7 @@ final class WayOut {
     long count = 0;
     for (double mm : shiftsMm) {
       along.mul(mm, shift);
-      for (Obstacle each : obstacles) {
+      for (OtherBody each : others) {
         count += each.count(shift, mm > farMm);
       }
       if (count > most) {

@@ -1,16 +1,18 @@
 package org.palpate.rigid;
 
 /**
- * The contacts with which the next step begins: those that were active in the last one, then those
- * that were near. Haptic thread only; allocates nothing.
+ * The contacts that one step of a rigid tool hands to the next: first those that held the tool back
+ * (active), then those that were near it. Haptic thread only; allocates nothing.
  */
 final class KeptContacts {
   private static final int CAPACITY = 40;
 
-  /** The number of the pair. */
+  /** For each contact the number of its pair, see {@link MoverVerifier}. */
   final int[] body = new int[CAPACITY];
 
+  /** For each contact the index of its sample point. */
   final int[] point = new int[CAPACITY];
+
   private int count;
   private int active;
 
@@ -23,25 +25,28 @@ final class KeptContacts {
     return count;
   }
 
-  /** Returns the number of contacts, at the begin of the list, that were active. */
+  /**
+   * Returns the number of contacts, at the beginning of the list, that were active in the last
+   * step.
+   */
   int active() {
     return active;
   }
 
-  /** Adds a contact unless it is there already or there are too many. */
-  void add(int ofBody, int ofPoint) {
+  /** Adds a contact, unless it is in the list already or the list is full. */
+  void add(int ofPair, int ofPoint) {
     for (int n = 0; n < count; n++) {
-      if (point[n] == ofPoint && body[n] == ofBody) {
+      if (point[n] == ofPoint && body[n] == ofPair) {
         return;
       }
     }
     if (count < CAPACITY) {
-      body[count] = ofBody;
+      body[count] = ofPair;
       point[count++] = ofPoint;
     }
   }
 
-  /** Counts all contacts so far as active, and those that follow as near. */
+  /** Ends the active contacts; those that are added from now on were only near. */
   void endActive() {
     active = count;
   }

@@ -223,8 +223,8 @@ public final class RigidScene {
   }
 
   /**
-   * Goes on with one examination whether a solid is enclosed. Those that can go on take turns, so
-   * that one without an end, because a solid stays enclosed, delays no other for good.
+   * Continues the {@link EnclosureCheck} of one pair. The pairs take turns, so that a pair whose
+   * check never ends, because its solid stays enclosed, does not stop the checks of the others.
    */
   void continueEnclosureCheck() {
     for (int n = 0; n < examined.size(); n++) {

@@ -100,23 +100,24 @@ public final class Accumulator {
     return new Accumulator(false);
   }
 
-  /** Makes a property of three doubles. Call it before the first publication. */
+  /** Returns a new property of three doubles. Call it before the first publication. */
   public PositionProperty position(String name) {
     return add(new PositionProperty(this, name, properties.size(), words.length));
   }
 
-  /** Makes a property that is a rigid transform. Call it before the first publication. */
+  /** Returns a new property that is a rigid transform. Call it before the first publication. */
   public TransformProperty transform(String name) {
     return add(new TransformProperty(this, name, properties.size(), words.length));
   }
 
-  /** Makes a property that is a single number. Call it before the first publication. */
+  /** Returns a new property that is a single number. Call it before the first publication. */
   public NumberProperty number(String name) {
     return add(new NumberProperty(this, name, properties.size(), words.length));
   }
 
   /**
-   * Makes a property that is the result of a haptic frame. Call it before the first publication.
+   * Returns a new property that is the result of a haptic frame. Call it before the first
+   * publication.
    */
   public TouchProperty touch(String name) {
     return add(new TouchProperty(this, name, properties.size(), words.length));

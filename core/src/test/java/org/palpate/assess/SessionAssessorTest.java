@@ -53,13 +53,13 @@ class SessionAssessorTest {
     touch(1, 1, 0);
     run(hertz, 3, 4);
     assessor.finish();
-    ContactTally bone = assessor.contacts(BONE);
+    ContactStatistics bone = assessor.contacts(BONE);
     assertEquals(2.5, bone.seconds(), 1e-6);
     assertEquals(2, bone.contacts());
     assertEquals((2 * 1 + 1 * 0.5 + 1 * 1) / 2.5, bone.meanNewton(), 1e-6);
     assertEquals(2, bone.largestNewton());
     assertEquals(1, bone.largestAtSeconds(), 1e-9);
-    ContactTally nerve = assessor.contacts(NERVE);
+    ContactStatistics nerve = assessor.contacts(NERVE);
     assertEquals(0.5, nerve.seconds(), 1e-6);
     assertEquals(3, nerve.meanNewton(), 1e-6);
     assertEquals(2, nerve.largestAtSeconds(), 1e-9);

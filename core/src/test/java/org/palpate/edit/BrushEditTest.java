@@ -49,7 +49,7 @@ class BrushEditTest {
     }
 
     @Override
-    public boolean devicePoint(int segment, Vec3 destGrid) {
+    public boolean devicePosition(int segment, Vec3 destGrid) {
       destGrid.set(device);
       return isPlaced;
     }

@@ -36,8 +36,8 @@ public record CollisionChoice(Method method, double stepVoxels) {
   }
 
   /**
-   * Parses {@code sampled:STEP}, {@code gridplanes} or {@code exact}; empty if the text is none of
-   * them. STEP is a number from 0.001 to 1000.
+   * Returns the choice that {@code sampled:STEP}, {@code gridplanes} or {@code exact} names; empty
+   * if the text is none of them. STEP is a number from 0.001 to 1000.
    */
   public static Optional<CollisionChoice> parse(String text) {
     if (text.equals("exact")) {

@@ -80,6 +80,7 @@ public record DeviceName(String name, String id) {
    * @param target the region that must be in reach
    * @param periodNanos time between two samples of a simulated hand or the mouse
    * @param fit maps the workspace of a real device to the world
+   * @return the open device; the caller closes it
    * @throws DeviceException if a real device cannot be opened; the message gives the remedy
    * @throws IOException if the recorded trajectory cannot be read
    */
@@ -97,6 +98,7 @@ public record DeviceName(String name, String id) {
   /**
    * Opens the device for a rigid tool: as {@link #open} does, but a simulated hand turns too.
    *
+   * @return the open device; the caller closes it
    * @throws DeviceException if a real device cannot be opened; the message gives the remedy
    * @throws IOException if the recorded trajectory cannot be read
    */

@@ -66,6 +66,7 @@ public final class ReplayRun {
      * @param state the interaction point with the legs of the frame, grid coordinates; material
      *     coordinates if segments are elastic
      * @param freed whether the frame set the interaction point free before its legs
+     * @throws IOException if the frame cannot be written
      */
     void accept(
         int frame, Vec3 device, Vec3 point, Vec3 forceNewton, InteractionPoint state, boolean freed)
@@ -156,7 +157,12 @@ public final class ReplayRun {
       Optional<ElasticBody> elastic,
       Optional<MassiveContact> mass) {}
 
-  /** Runs every frame once from a fresh start. */
+  /**
+   * Runs every frame once from a fresh start.
+   *
+   * @return the statistics of all frames, and the state at the end
+   * @throws IOException if the observer fails to write
+   */
   public Result run(FrameSink sink) throws IOException {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
     GridDevice gridDevice =

@@ -69,6 +69,7 @@ public final class ReplayTiming {
    * Runs all passes.
    *
    * @param passes number of passes, more than {@link #UNCOUNTED_PASSES}
+   * @return the time of a frame over the counted passes
    */
   public NanosPerFrame run(int passes) {
     return measure(passes, devices.length, this::placeAtFirstSample, this::pass);

@@ -33,6 +33,7 @@ public final class ToolLegs {
      * @param point index of the tool's point
      * @param start grid coordinates of the body
      * @param end grid coordinates of the body
+     * @throws IOException if the leg cannot be written
      */
     void accept(int leg, int body, int point, Vec3 start, Vec3 end) throws IOException;
   }
@@ -56,6 +57,7 @@ public final class ToolLegs {
    *
    * @param freed whether the tool was set free, so that each point begins with a release
    * @param every only points whose index is divisible by this, at least 1
+   * @throws IOException if the receiver fails to write a leg
    */
   public void list(ToolMotion motion, boolean freed, int every, LegSink sink) throws IOException {
     for (int b = 0; b < bodies.count(); b++) {

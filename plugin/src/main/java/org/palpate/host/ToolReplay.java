@@ -47,6 +47,7 @@ public final class ToolReplay {
      *
      * @param number of the frame, from 0
      * @param frame with its sample, motion, force and torque, until the next frame
+     * @throws IOException if the frame cannot be written
      */
     void accept(int number, ToolFrame frame) throws IOException;
   }
@@ -111,6 +112,7 @@ public final class ToolReplay {
    * Measures the time of solver, force and torque over the valid samples, with nothing else inside.
    *
    * @param passes number of passes, more than {@link ReplayTiming#UNCOUNTED_PASSES}
+   * @return the time of a frame over the counted passes
    */
   public ReplayTiming.NanosPerFrame time(int passes) {
     RigidSolver solver = scene.solver();
@@ -148,7 +150,12 @@ public final class ToolReplay {
     return poses;
   }
 
-  /** Runs every frame once from a fresh start. */
+  /**
+   * Runs every frame once from a fresh start.
+   *
+   * @return the statistics of all frames, and the state at the end
+   * @throws IOException if the observer fails to write
+   */
   public Result run(FrameSink sink) throws IOException {
     TrajectoryDevice device = new TrajectoryDevice(trajectory, raw);
     ContactScene contact = scene.contactScene();

@@ -343,7 +343,7 @@ public final class TouchSession implements AutoCloseable {
     return offer(HistoryEdit.undo());
   }
 
-  /** Redoes what was undone last; otherwise it is like {@link #undo}. Any thread. */
+  /** Redoes what was undone last, and returns false if it cannot yet, as {@link #undo} does. */
   public boolean redo() {
     return offer(HistoryEdit.redo());
   }

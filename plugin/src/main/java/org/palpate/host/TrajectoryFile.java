@@ -5,12 +5,15 @@ import java.nio.file.Path;
 import org.palpate.device.Trajectory;
 import org.palpate.io.table.TrajectoryCsvReader;
 
-/** Reads a recorded trajectory from its file, with the jumps of a mouse. */
+/**
+ * Reads a recorded trajectory from its file. Samples at which a mouse jumped to a new place are
+ * marked, see {@link Trajectory#markRelocated}.
+ */
 public final class TrajectoryFile {
   private TrajectoryFile() {}
 
   /**
-   * Reads all samples.
+   * Reads all samples and returns them in their order.
    *
    * @param checked whether NaN, infinity and times that run backward are refused
    * @throws IOException if the file is missing or not understood; the message names the line

@@ -2,7 +2,10 @@ package org.palpate.igtl;
 
 import java.io.IOException;
 
-/** A message that breaks the protocol or a bound of this program. The message text has no name. */
+/**
+ * Reports a received message that breaks the OpenIGTLink protocol or exceeds a limit of this
+ * program. Its text repeats no name from the message, because that could be a patient's.
+ */
 public final class LinkProtocolException extends IOException {
   private static final long serialVersionUID = 1;
 

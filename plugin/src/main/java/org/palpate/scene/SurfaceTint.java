@@ -6,14 +6,15 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 
 /**
- * A measured value on a part of a surface, which colours it there: purple for 0, through blue,
- * green and yellow for 1. Cells as large as voxels hold the value and how much of it is known.
+ * Colours a part of a surface by a measured value, from purple for 0 through blue and green to
+ * yellow for 1. Values are known at some points alone, so each cell of a grid also holds a cover:
+ * how well the points around it determine its value. Without cover the surface keeps its colour.
  *
  * <p>Immutable; nobody writes to its parts. The colours are those of the map viridis, which people
  * with impaired colour vision can read.
  */
 public final class SurfaceTint {
-  /** The cells on each side of a point that know its value. */
+  /** The number of cells on each side of a point to which its value spreads. */
   private static final int REACH = 2;
 
   private static final int FULL = 255;

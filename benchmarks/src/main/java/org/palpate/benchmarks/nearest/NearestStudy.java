@@ -24,10 +24,13 @@ import org.palpate.raycast.SampledRayCaster;
 final class NearestStudy {
   static final double[] DEPTHS = {1, 2, 5, 10, 15, 20};
 
-  /** The name of a search within sqrt(2 s + 1) of the guarded solver's point. */
+  /**
+   * The name of an exhaustive search for the free point nearest to the device. It looks within
+   * sqrt(2 s + 1) voxels of the resting point of the guarded solver, at a device depth of s voxels.
+   */
   static final String SEARCH = "search sqrt(2s+1)";
 
-  /** The name of the smooth solver's point minus the height of its surface, as for the force. */
+  /** The name of the smooth solver if its surface height is subtracted, as the force does it. */
   static final String SMOOTH_FELT = "smooth felt";
 
   private static final String SMOOTH = "smooth";

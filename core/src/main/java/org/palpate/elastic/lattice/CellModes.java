@@ -25,7 +25,10 @@ final class CellModes {
 
   private static final int ALL = 7;
 
-  /** By axis and corner, or axis and product; in the axes of the lattice. */
+  /**
+   * Displacements or forces of the corners, by axis and corner; {@link #multiply} also keeps their
+   * sums by axis and product here. Axes of the lattice.
+   */
   final float[][][] values = new float[3][LatticeLayout.CORNERS][TILE];
 
   /** The modulus of each cell, N/mm^2. */

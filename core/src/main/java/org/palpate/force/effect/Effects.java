@@ -13,7 +13,7 @@ public final class Effects {
   private Effects() {}
 
   /**
-   * Resists every motion.
+   * Returns the plan of an effect that resists every motion.
    *
    * @param newtonSecondPerMm force per speed, positive
    */
@@ -22,8 +22,8 @@ public final class Effects {
   }
 
   /**
-   * Attracts the tool to a segment. The pull is greatest half-way and small at the surface, so that
-   * it begins and ends without a step.
+   * Returns the plan of an effect that attracts the tool to a segment. The pull is greatest
+   * half-way and small at the surface, so that it begins and ends without a step.
    *
    * @param segment measures at least up to the reach
    * @param newton the greatest pull, N, positive
@@ -38,7 +38,7 @@ public final class Effects {
   }
 
   /**
-   * Sticks to surfaces and slips.
+   * Returns the plan of an effect that sticks to surfaces and slips.
    *
    * @param newton the pull at which the hand slips, N, positive
    */
@@ -47,7 +47,7 @@ public final class Effects {
   }
 
   /**
-   * Shakes the hand in contact; it is active.
+   * Returns the plan of an effect that shakes the hand in contact; it is active.
    *
    * @param hertz frequency, positive
    * @param newton amplitude, N, positive
@@ -57,7 +57,7 @@ public final class Effects {
   }
 
   /**
-   * Lets the hand feel the detail of grey values.
+   * Returns the plan of an effect that lets the hand feel the detail of grey values.
    *
    * @param mmPerValue the height of a unit of detail, mm
    */

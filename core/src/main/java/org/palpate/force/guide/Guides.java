@@ -9,7 +9,7 @@ import org.palpate.geometry.Vec3;
 public final class Guides {
   private Guides() {}
 
-  /** Keeps the hand on a straight line. */
+  /** Returns the plan of a guide that keeps the hand on a straight line. */
   public static EffectPlan axis(Vec3 through, Vec3 direction, GuideStrength strength) {
     Vec3 unit = unit(direction);
     return site ->
@@ -17,7 +17,7 @@ public final class Guides {
             new LineShape(site.position(through), site.direction(unit)), strength.spring(site));
   }
 
-  /** Keeps the hand in a plane. */
+  /** Returns the plan of a guide that keeps the hand in a plane. */
   public static EffectPlan plane(Vec3 through, Vec3 normal, GuideStrength strength) {
     Vec3 unit = unit(normal);
     return site ->
@@ -25,13 +25,16 @@ public final class Guides {
             new PlaneShape(site.position(through), site.direction(unit)), strength.spring(site));
   }
 
-  /** Keeps the hand in a ball. */
+  /** Returns the plan of a guide that keeps the hand in a ball. */
   public static EffectPlan ball(Vec3 centre, double radiusMm, GuideStrength strength) {
     return site ->
         new PositionGuide(new BallShape(site.position(centre), radiusMm), strength.spring(site));
   }
 
-  /** Keeps the hand on a path of straight pieces; see {@link PathShape}. */
+  /**
+   * Returns the plan of a guide that keeps the hand on a path of straight pieces; see {@link
+   * PathShape}.
+   */
   public static EffectPlan path(List<Vec3> positions, GuideStrength strength) {
     return site -> {
       List<Vec3> inFrame = new ArrayList<>();
@@ -40,7 +43,10 @@ public final class Guides {
     };
   }
 
-  /** Lets what is held turn about an axis alone; see {@link HingeGuide}. */
+  /**
+   * Returns the plan of a guide that lets what is held turn about an axis alone; see {@link
+   * HingeGuide}.
+   */
   public static EffectPlan hinge(Vec3 through, Vec3 direction, GuideStrength strength) {
     Vec3 unit = unit(direction);
     return site ->
@@ -52,18 +58,26 @@ public final class Guides {
             site.leverMm());
   }
 
-  /** Turns the axis z of a rigid tool along a direction; see {@link AlignGuide}. */
+  /**
+   * Returns the plan of a guide that turns the axis z of a rigid tool along a direction; see {@link
+   * AlignGuide}.
+   */
   public static EffectPlan align(Vec3 direction, GuideStrength strength) {
     Vec3 unit = unit(direction);
     return site -> new AlignGuide(site.direction(unit), strength.turnSpring(site));
   }
 
-  /** Pushes the tool out of a margin around a segment; see {@link SegmentPush}. */
+  /**
+   * Returns the plan of a guide that pushes the tool out of a margin around a segment; see {@link
+   * SegmentPush}.
+   */
   public static EffectPlan away(SegmentDistance segment, double marginMm, GuideStrength strength) {
     return site -> new SegmentPush(segment, marginMm, strength.push(site)::newton, site);
   }
 
-  /** Pulls a body in hand to where it fits; see {@link FitGuide}. */
+  /**
+   * Returns the plan of a guide that pulls a body in hand to where it fits; see {@link FitGuide}.
+   */
   public static EffectPlan fit(FitExchange fits, GuideStrength strength) {
     return site -> new FitGuide(fits, strength.spring(site));
   }

@@ -1,8 +1,9 @@
 package org.palpate.proxy.exact;
 
 /**
- * The work that a guarded solver may skip. The proxy ends at the same bits either way, except that
- * without {@code failedSteps} no step up waits, see {@link FailedStepCache}.
+ * The work that a guarded solver may skip. Skips do not change where the proxy ends, to the bit.
+ * The one exception is {@code failedSteps}: it can delay a step up by some frames, as {@link
+ * FailedStepCache} explains.
  *
  * @param neighbourhoods whether neighbourhoods are kept from frame to frame
  * @param failedSteps whether searches for a step up that failed are remembered

@@ -24,7 +24,7 @@ public final class ToolSampler {
   }
 
   /**
-   * Samples a shape. The reference point is its centroid.
+   * Returns a tool whose points sample a shape. The reference point is its centroid.
    *
    * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
    */
@@ -33,7 +33,8 @@ public final class ToolSampler {
   }
 
   /**
-   * Samples an eroded shape. The reference point is the centroid of the whole shape.
+   * Returns a tool whose points sample an eroded shape. The reference point is the centroid of the
+   * whole shape.
    *
    * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
    * @param depthMm the depth of the erosion, mm; 0 for none
@@ -58,9 +59,9 @@ public final class ToolSampler {
   }
 
   /**
-   * Samples a segment by its rim voxels. The reference point is the mean of the centres of all
-   * solid voxels; at the identity orientation the tool's axes are the world's. Long voxels are cut
-   * into parts that are about cubes.
+   * Returns a tool whose points sample a segment by its rim voxels. The reference point is the mean
+   * of the centres of all solid voxels; at the identity orientation the tool's axes are the
+   * world's. Long voxels are cut into parts that are about cubes.
    *
    * @param bits the segment, which the caller no longer changes
    * @param grid the segment's grid
@@ -71,8 +72,8 @@ public final class ToolSampler {
   }
 
   /**
-   * Samples an eroded segment by its rim voxels. The reference point is the mean of the centres of
-   * all solid voxels of the whole segment.
+   * Returns a tool whose points sample an eroded segment by its rim voxels. The reference point is
+   * the mean of the centres of all solid voxels of the whole segment.
    *
    * @param bits the segment, which the caller no longer changes
    * @param depthMm the depth of the erosion, mm; 0 for none
@@ -84,8 +85,8 @@ public final class ToolSampler {
   }
 
   /**
-   * Samples an eroded segment as {@link #ofErodedSegment(BitCube, VoxelGrid, double)} does, but
-   * more densely if wanted.
+   * Returns a tool of an eroded segment as {@link #ofErodedSegment(BitCube, VoxelGrid, double)}
+   * does, but more densely if wanted.
    *
    * @param longestEdgeMm the longest edge of the voxels whose centres are sampled, mm
    */
@@ -129,9 +130,9 @@ public final class ToolSampler {
   }
 
   /**
-   * Voxelizes a closed mesh and samples the voxels of its rim. The voxels contain the whole solid
-   * of the mesh. The reference point is the centroid of its volume, and the tool's axes are those
-   * of the mesh.
+   * Voxelizes a closed mesh, and returns a tool of the voxels of its rim. The voxels contain the
+   * whole solid of the mesh. The reference point is the centroid of its volume, and the tool's axes
+   * are those of the mesh.
    *
    * @param edgeMm the edge of a voxel, mm
    * @param depthMm the depth of an erosion, mm; 0 for none
@@ -153,8 +154,8 @@ public final class ToolSampler {
   }
 
   /**
-   * Samples the surface of a mesh that need not be closed. The reference point is the centroid of
-   * its area, or of its volume if it is closed.
+   * Returns a tool whose points sample the surface of a mesh that need not be closed. The reference
+   * point is the centroid of its area, or of its volume if it is closed.
    *
    * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
    */

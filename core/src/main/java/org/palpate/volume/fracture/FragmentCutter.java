@@ -63,7 +63,7 @@ public final class FragmentCutter {
   }
 
   /**
-   * Cuts a bone.
+   * Cuts a bone and returns its fragments where they rest.
    *
    * @param bone the voxels; not changed
    * @param grid their grid

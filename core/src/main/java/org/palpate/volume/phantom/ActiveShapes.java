@@ -1,9 +1,9 @@
 package org.palpate.volume.phantom;
 
 /**
- * The shapes whose surface can pass through a ball, and the side of all others on which the ball
- * lies. It is narrowed from rows to bricks to voxels, so that most shapes are never evaluated.
- * Owned scratch.
+ * Sorts the shapes of a phantom by a ball: "active" shapes, whose surface may pass through the
+ * ball, and shapes that contain the whole ball or none of it. It is narrowed from rows to bricks to
+ * voxels, so that a voxel evaluates the few active shapes alone. Owned scratch.
  */
 final class ActiveShapes {
   /** More than the rounding of a shape's value; all sizes are below 1e4 voxels. */

@@ -7,14 +7,15 @@ import java.util.Optional;
 import java.util.function.Predicate;
 
 /**
- * Checks how a device answers report 2: what it has heard, and whether its watchdog trips when the
- * host falls silent. No force is needed for it.
+ * Checks how a device answers the force reports (report 2) of the host: whether it names the last
+ * one that it received, and whether its watchdog zeroes the force when no more arrive. A device
+ * passes without ever producing a force.
  */
 final class ForceRules {
   static final int LENGTH = 24;
   static final int ID = 2;
 
-  /** A device looks at its watchdog between reports. */
+  /** The delay that a watchdog may have: a device looks at it only between two reports. */
   private static final long SLACK_MICROS = 10_000;
 
   private final List<HidCapture.Report> sent;

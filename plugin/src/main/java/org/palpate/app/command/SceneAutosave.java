@@ -77,7 +77,7 @@ final class SceneAutosave {
     return end.resolveSibling(stem + ".autosave" + (number == 1 ? "" : number) + ".json");
   }
 
-  /** Returns a note about what an earlier session left without its end; empty if none did. */
+  /** Returns a note if an earlier session has crashed and left its saved file; empty otherwise. */
   static Optional<String> note(Optional<Path> end) {
     return end.map(file -> beside(file, 1))
         .filter(Files::exists)

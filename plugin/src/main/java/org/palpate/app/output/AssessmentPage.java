@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.UnaryOperator;
-import org.palpate.assess.ContactTally;
+import org.palpate.assess.ContactStatistics;
 import org.palpate.assess.SessionAssessor;
 import org.palpate.assess.SessionCourse;
 import org.palpate.assess.TremorSpectrum;
@@ -98,7 +98,7 @@ final class AssessmentPage {
   }
 
   private void addSummary() {
-    ContactTally contacts = assessor.contacts();
+    ContactStatistics contacts = assessor.contacts();
     page.append("<table>\n");
     row("Time", number(assessor.seconds(), 2) + " s");
     row("In contact", number(contacts.seconds(), 2) + " s, " + contacts.contacts() + " times");

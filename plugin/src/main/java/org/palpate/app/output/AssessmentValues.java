@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.palpate.app.process.VersionProvider;
-import org.palpate.assess.ContactTally;
+import org.palpate.assess.ContactStatistics;
 import org.palpate.assess.Hold;
 import org.palpate.assess.SessionAssessor;
 import org.palpate.assess.TremorSpectrum;
@@ -84,7 +84,7 @@ final class AssessmentValues {
     return field;
   }
 
-  private static void putForces(ContactTally contacts, Map<String, Object> dest) {
+  private static void putForces(ContactStatistics contacts, Map<String, Object> dest) {
     dest.put("contacts", contacts.contacts());
     dest.put("seconds", contacts.seconds());
     dest.put("mean_force_n", contacts.meanNewton());
@@ -93,7 +93,7 @@ final class AssessmentValues {
   }
 
   private static Map<String, Object> segment(
-      String name, boolean isProtected, ContactTally contacts) {
+      String name, boolean isProtected, ContactStatistics contacts) {
     Map<String, Object> row = new LinkedHashMap<>();
     row.put("segment", name);
     row.put("protected", isProtected ? 1L : 0L);

@@ -22,7 +22,10 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
-/** Reports and exports what a session or a replay left of the segments. One thread. */
+/**
+ * Reports and exports the segments as they are after a session or a replay has edited them. One
+ * thread.
+ */
 public final class EditedVolume {
   private final SegmentedVolume volume;
   private final CoordinateSystem coordinateSystem;

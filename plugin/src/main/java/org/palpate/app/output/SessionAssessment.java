@@ -70,12 +70,15 @@ public final class SessionAssessment {
     assessor = new SessionAssessor(objects.size(), forbidden);
   }
 
-  /** Returns what a live frame shows its results; then call {@link #drain} often. */
+  /**
+   * Returns the observer for the frames of a live session. Its ring buffer fills, so another thread
+   * calls {@link #drain} many times a second.
+   */
   public FrameObserver live() {
     return ring;
   }
 
-  /** Returns what the frame of a replay shows its results. */
+  /** Returns the observer for the frames of a replay. No call of {@link #drain} is needed. */
   public FrameObserver replayed() {
     return frame -> {
       ring.accept(frame);
@@ -83,7 +86,7 @@ public final class SessionAssessment {
     };
   }
 
-  /** Takes the frames that wait. Reader, or the thread of a replay. */
+  /** Takes all frames out of the ring buffer and assesses them. */
   public void drain() {
     ring.drainTo(assessor);
   }

@@ -18,8 +18,11 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Colours fragments by the gap to the faces that they face: in a view the one in hand, on request.
- * Voxels are read without a lock. One thread, but for the key.
+ * Colours the fracture faces of a fragment by the width of the gap to the fragment opposite. In the
+ * view of a session a key switches the colours of the fragment in hand on and off; {@link #show}
+ * colours all fragments of a picture.
+ *
+ * <p>Voxels are read without a lock. One thread, except for the key.
  */
 public final class GapColours {
   private static final int NONE = -1;
@@ -34,7 +37,7 @@ public final class GapColours {
 
   private List<RigidTransform> seen = List.of();
 
-  /** Creates colours for a view, which shows none yet. */
+  /** Creates the colours of a view. They are switched off. */
   GapColours(SegmentedVolume fragments, SessionView view) {
     this.fragments = fragments;
     this.view = view;
@@ -53,7 +56,11 @@ public final class GapColours {
     input.onKey('g', "gap map: distance to the facing fracture face", () -> isWanted = !isWanted);
   }
 
-  /** Colours a fragment where the bodies are, if that is wanted. */
+  /**
+   * Colours a fragment anew if the bodies have moved, or uncolours it if the colours are off.
+   *
+   * @param poses the present pose of each body, rest to present
+   */
   void update(int fragment, List<RigidTransform> poses, BodyGroups groups) {
     int wanted = isWanted ? fragment : NONE;
     if (wanted != coloured && coloured != NONE) {
@@ -69,14 +76,18 @@ public final class GapColours {
     coloured = wanted;
   }
 
-  /** Returns what the colours mean, if they are shown. */
+  /** Returns a line that explains the colours; none if they are off. */
   List<String> lines() {
     return coloured == NONE
         ? List.of()
         : List.of("gap map: purple 0 mm, blue 1, teal 2, green 3, yellow 4");
   }
 
-  /** Colours all fragments at poses. */
+  /**
+   * Colours all fragments of a picture.
+   *
+   * @param poses the pose of each fragment, rest to present
+   */
   public static void show(
       SceneLoader surfaces, SegmentedVolume fragments, List<RigidTransform> poses) {
     GapMap map = map(fragments);

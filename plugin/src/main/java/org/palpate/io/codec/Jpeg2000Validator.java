@@ -89,7 +89,7 @@ public final class Jpeg2000Validator {
         quad(at + 6) == columns && quad(at + 10) == rows, "has another size than the DICOM header");
     require((quad(at + 14) | quad(at + 18) | quad(at + 30) | quad(at + 34)) == 0, "has an offset");
     require(word(at + 38) == 1 && segmentLength(at) == 41, "has several components");
-    require(octet(at + 41) == 1 && octet(at + 42) == 1, "is subsampled");
+    require(unsignedByte(at + 41) == 1 && unsignedByte(at + 42) == 1, "is subsampled");
     long across = (columns - 1) / Math.max(1, quad(at + 22)) + 1;
     long down = (rows - 1) / Math.max(1, quad(at + 26)) + 1;
     require(quad(at + 22) > 0 && quad(at + 26) > 0, "has empty tiles");
@@ -99,26 +99,31 @@ public final class Jpeg2000Validator {
 
   private void readCoding(int at) throws IOException {
     int layers = word(at + 6);
-    int levels = octet(at + 9);
+    int levels = unsignedByte(at + 9);
     require(
         layers >= 1 && layers <= MAX_LAYERS && levels <= MAX_LEVELS,
         "has too many layers or levels");
-    boolean precincts = (octet(at + 4) & 1) != 0;
+    boolean precincts = (unsignedByte(at + 4) & 1) != 0;
     require(
         segmentLength(at) == 12 + (precincts ? levels + 1 : 0),
         "has a coding segment of a wrong length");
     require(
-        octet(at + 10) <= 8 && octet(at + 11) <= 8 && octet(at + 10) + octet(at + 11) <= 8,
+        unsignedByte(at + 10) <= 8
+            && unsignedByte(at + 11) <= 8
+            && unsignedByte(at + 10) + unsignedByte(at + 11) <= 8,
         "has code blocks of an invalid size");
     for (int level = 0; precincts && level <= levels; level++) {
-      int size = octet(at + 14 + level);
+      int size = unsignedByte(at + 14 + level);
       require(
           (size & 15) >= MIN_PRECINCT_LOG && size >> 4 >= MIN_PRECINCT_LOG,
           "has precincts that are too small");
     }
-    long blocks = (((long) columns * rows) >> (octet(at + 10) + octet(at + 11) + 4)) + tiles + 1;
+    long blocks =
+        (((long) columns * rows) >> (unsignedByte(at + 10) + unsignedByte(at + 11) + 4))
+            + tiles
+            + 1;
     require(blocks * layers <= MAX_BLOCK_LAYERS, "has too many layers");
-    reversible = octet(at + 13) == REVERSIBLE;
+    reversible = unsignedByte(at + 13) == REVERSIBLE;
   }
 
   /** Refuses markers that override the coding of a component or move packet headers elsewhere. */
@@ -138,8 +143,8 @@ public final class Jpeg2000Validator {
       long length = quad(at + 6);
       int tile = word(at + 4);
       require(segmentLength(at) == 10 && tile < tiles, "has a tile of an invalid number");
-      require(octet(at + 10) == parts[tile]++, "has tile parts out of order");
-      int told = octet(at + 11);
+      require(unsignedByte(at + 10) == parts[tile]++, "has tile parts out of order");
+      int told = unsignedByte(at + 11);
       require(
           promised[tile] == 0 || told == 0 || told == promised[tile],
           "declares two numbers of tile parts");
@@ -190,13 +195,13 @@ public final class Jpeg2000Validator {
     return word(at + 2);
   }
 
-  private int octet(int at) throws IOException {
+  private int unsignedByte(int at) throws IOException {
     require(at < bytes.length, "is incomplete");
     return bytes[at] & 0xff;
   }
 
   private int word(int at) throws IOException {
-    return octet(at) << 8 | octet(at + 1);
+    return unsignedByte(at) << 8 | unsignedByte(at + 1);
   }
 
   private long quad(int at) throws IOException {

@@ -70,7 +70,7 @@ public final class JpegLsDecoder {
         require(length >= 2 && length <= 4, "has a damaged restart interval");
         restartLines = 0;
         for (int n = 0; n < length; n++) {
-          restartLines = restartLines << 8 | octet(at + n);
+          restartLines = restartLines << 8 | unsignedByte(at + n);
         }
       }
       default ->
@@ -81,15 +81,15 @@ public final class JpegLsDecoder {
   }
 
   private void parseFrame(int at, int length) throws IOException {
-    require(length >= 9 && octet(at + 5) == 1, "has several components");
-    bits = octet(at);
+    require(length >= 9 && unsignedByte(at + 5) == 1, "has several components");
+    bits = unsignedByte(at);
     require(bits >= 2 && bits <= 16, "has " + bits + " bits a pixel");
     require(
         word(at + 1) == rows && word(at + 3) == columns, "has another size than the DICOM header");
   }
 
   private void parsePreset(int at, int length) throws IOException {
-    int kind = length < 1 ? 0 : octet(at);
+    int kind = length < 1 ? 0 : unsignedByte(at);
     require(kind != OVERSIZE, "has an oversize image");
     if (kind != THRESHOLDS) {
       return; // a table for colours, which a scan must ask for
@@ -103,10 +103,10 @@ public final class JpegLsDecoder {
   /** Checks the header of a scan and returns the largest error of a pixel. */
   private int parseScan(int at, int length) throws IOException {
     require(bits > 0, "has no frame before its pixels");
-    require(length >= 6 && octet(at) == 1, "has several components");
-    require(octet(at + 2) == 0, "uses a mapping table");
-    require(octet(at + 5) == 0, "uses a point transform");
-    return octet(at + 3);
+    require(length >= 6 && unsignedByte(at) == 1, "has several components");
+    require(unsignedByte(at + 2) == 0, "uses a mapping table");
+    require(unsignedByte(at + 5) == 0, "uses a point transform");
+    return unsignedByte(at + 3);
   }
 
   private JpegLsParameters parameters(int near) throws IOException {
@@ -131,7 +131,7 @@ public final class JpegLsDecoder {
     return found;
   }
 
-  private int octet(int at) throws IOException {
+  private int unsignedByte(int at) throws IOException {
     if (at >= bytes.length) {
       throw new EOFException("the JPEG-LS stream is incomplete");
     }
@@ -139,7 +139,7 @@ public final class JpegLsDecoder {
   }
 
   private int word(int at) throws IOException {
-    return octet(at) << 8 | octet(at + 1);
+    return unsignedByte(at) << 8 | unsignedByte(at + 1);
   }
 
   private static void require(boolean holds, String otherwise) throws IOException {

@@ -18,7 +18,8 @@ public record Resampling(VoxelGrid grid, AffineMap toSource) {
   private static final double MOST_VOXELS = 1 << 30;
 
   /**
-   * Returns the voxels of a box, as in {@code 10..99,0..63,5..40}: first and last along x, y and z.
+   * Returns a grid of the voxels in a box. The text {@code 10..99,0..63,5..40} is the first and the
+   * last voxel along x, y and z.
    *
    * @throws VolumeFormatException if the text has another form, or the box leaves the grid
    */
@@ -104,8 +105,8 @@ public record Resampling(VoxelGrid grid, AffineMap toSource) {
   }
 
   /**
-   * Returns the same voxels of the volume as a plane mirrors it, as in {@code 80,0,0,1,0,0}: a
-   * point of the plane and its normal, world mm.
+   * Returns the same grid, on which the volume appears mirrored at a plane. The text {@code
+   * 80,0,0,1,0,0} is a point of the plane and its normal, world mm.
    *
    * @throws VolumeFormatException if the text has another form
    */

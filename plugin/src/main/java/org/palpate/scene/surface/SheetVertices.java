@@ -36,7 +36,7 @@ final class SheetVertices {
   /** Depth of vertices whose normals are added to the normals of used ones. */
   private static final int NORMALS_DEPTH = USED_DEPTH + 1;
 
-  /** Depth of vertices whose positions determine those normals. */
+  /** Depth of vertices whose positions determine the normals up to {@link #NORMALS_DEPTH}. */
   static final int POSITIONS_DEPTH = NORMALS_DEPTH + 1;
 
   int count;

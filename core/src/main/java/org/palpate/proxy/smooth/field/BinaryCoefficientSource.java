@@ -5,10 +5,11 @@ import java.util.List;
 import org.palpate.collision.CollisionScene;
 
 /**
- * Makes coefficients from the voxels' bits alone: solid voxels, and empty ones that the seed does
- * not reach, weighed by the filter taps along each axis.
+ * Computes the B-spline coefficients of an {@link OccupancyField} from voxels without grey values.
+ * A coefficient is the sum of the voxels of a {@link BinaryWindow} that count as solid, each times
+ * the filter taps of the {@link SmoothingKernel} along the three axes.
  *
- * <p>Three sums, one for each of three neighbouring coefficients along x, share a word.
+ * <p>The sums of three neighbouring coefficients along x are packed into one word.
  */
 final class BinaryCoefficientSource implements CoefficientSource {
   /** The bits for one of three sums in a word; no sum of taps is above 30 * 30 * 30. */

@@ -3,7 +3,8 @@ package org.palpate.proxy.smooth.field;
 import org.palpate.collision.CollisionScene;
 
 /**
- * A window of 12x12x12 voxels, a bit each, and which of the empty ones a seed reaches.
+ * A window of 12x12x12 voxels, with two bits each: whether the voxel is solid, and whether it
+ * counts as reached, that is, connected with a seed by empty voxels.
  *
  * <p>Empty voxels that the seed does not reach count as solid. A wall one voxel thick then looks
  * like a half space from either side; otherwise its two faces would cancel each other out.

@@ -33,8 +33,8 @@ public record GreyIsosurface(ScalarVolume volume, double threshold, double contr
   }
 
   /**
-   * Returns a surface with the contrast that the values have at it: half the step from one side to
-   * the other. Cost: one pass over the values.
+   * Returns the isosurface of a threshold. Its contrast is measured: half the mean step of the
+   * values from one side of the surface to the other. Cost: one pass over the values.
    */
   public static GreyIsosurface ofThreshold(ScalarVolume volume, double threshold) {
     double step = new EdgeContrast(volume, threshold).meanDifference() / PAIR_FRACTION_OF_STEP;
@@ -57,7 +57,9 @@ public record GreyIsosurface(ScalarVolume volume, double threshold, double contr
       this.threshold = threshold;
     }
 
-    /** Returns the mean over all such pairs along the axes, or 0 if there is none. */
+    /**
+     * Returns the mean difference over all pairs of neighbours across the threshold; 0 without one.
+     */
     double meanDifference() {
       VoxelGrid grid = volume.grid();
       for (int k = 0; k < grid.sizeZ(); k++) {

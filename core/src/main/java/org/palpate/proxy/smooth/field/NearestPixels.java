@@ -7,11 +7,12 @@ import java.util.List;
 /**
  * Finds the nearest solid or empty pixel for all columns of a tile at once.
  *
- * <p>The search visits pixels in the order of their distance: first those one pixel away, then
- * those along a diagonal, and so on. One step visits all pixels that lie {@code off} rows and
- * {@code along} pixels away from any column. For this it widens each set bit of these rows by one
- * more pixel on either side. A word holds all columns, so a step serves them together (SIMD within
- * a register, SWAR).
+ * <p>Every pixel of the tile looks at its neighbours in the order of their distance: first at those
+ * one pixel away, then at those along a diagonal, and so on. One step of the search handles one
+ * distance for all pixels together: the neighbours that lie {@code off} rows above or below and
+ * {@code along} pixels to the left or right. The step widens the bits of these rows by one more
+ * pixel on either side; a pixel of the tile that a widened bit covers has found its nearest pixel.
+ * The tile is one word, so that all its pixels are handled at once (SIMD within a register, SWAR).
  *
  * <pre>
  *   word   16 bits for each of four rows; column c of the tile is bit 6 + c of a row
@@ -57,7 +58,7 @@ final class NearestPixels {
     }
   }
 
-  /** Returns the squared distance from which on some pixels are out of reach. */
+  /** Returns the squared distance from which on a search within {@link #REACH} may miss pixels. */
   static double endSquare(PixelEdges edges) {
     return Math.min(edges.square(REACH + 1, 0), edges.square(0, REACH + 1));
   }

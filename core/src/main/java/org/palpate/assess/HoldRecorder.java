@@ -7,8 +7,8 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
-/** Notes when the hand held which body, and how it moved it. One thread. */
-final class HoldTally {
+/** Records each hold: which body the hand held, when, and how far it moved the body. One thread. */
+final class HoldRecorder {
   private static final int NO_BODY = -1;
 
   private final List<Hold> holds = new ArrayList<>();

@@ -6,7 +6,7 @@ import org.palpate.frame.FrameRecord;
  * The contacts with one object: how often, how long, and with which force. A frame counts for the
  * time since the frame before. One thread.
  */
-public final class ContactTally {
+public final class ContactStatistics {
   private double share;
   private boolean isTouching;
   private long contacts;
@@ -15,7 +15,7 @@ public final class ContactTally {
   private double largestNewton;
   private double largestAtSeconds;
 
-  ContactTally() {}
+  ContactStatistics() {}
 
   /** Begins a frame in which the object is not touched, as far as is known. */
   void begin() {
