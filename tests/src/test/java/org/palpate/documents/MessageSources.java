@@ -14,10 +14,8 @@ import com.sun.source.tree.NewClassTree;
 import com.sun.source.tree.ParenthesizedTree;
 import com.sun.source.tree.Tree;
 import com.sun.source.tree.VariableTree;
-import com.sun.source.util.JavacTask;
 import com.sun.source.util.TreeScanner;
 import java.io.IOException;
-import java.net.URI;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -27,9 +25,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import javax.lang.model.element.Modifier;
-import javax.tools.JavaFileObject;
-import javax.tools.SimpleJavaFileObject;
-import javax.tools.ToolProvider;
 
 /**
  * The error messages in the sources: {@code WHAT: WHERE: what to do}, with values in braces.
@@ -101,15 +96,7 @@ final class MessageSources {
 
   /** Returns every message of the given classes, each once, in the order of the classes. */
   static Set<Message> of(Map<String, String> classes) throws IOException {
-    List<JavaFileObject> files = new ArrayList<>();
-    classes.forEach((name, text) -> files.add(new SourceText(name, text)));
-    JavacTask task =
-        (JavacTask)
-            ToolProvider.getSystemJavaCompiler()
-                .getTask(null, null, null, List.of("-proc:none"), null, files);
-    List<CompilationUnitTree> units = new ArrayList<>();
-    task.parse().forEach(units::add);
-    return new MessageSources(units).find();
+    return new MessageSources(SourceTrees.of(classes).units()).find();
   }
 
   private Set<Message> find() {
@@ -307,21 +294,6 @@ final class MessageSources {
     private boolean startsWith(Message message, String parameter) {
       return message.what.startsWith("{" + parameter + "} ")
           && Set.of("what", "subject", "name").contains(parameter);
-    }
-  }
-
-  /** The text of a class as the compiler reads it. */
-  private static final class SourceText extends SimpleJavaFileObject {
-    private final String text;
-
-    SourceText(String name, String text) {
-      super(URI.create("string:///" + name.replace('.', '/') + ".java"), Kind.SOURCE);
-      this.text = text;
-    }
-
-    @Override
-    public CharSequence getCharContent(boolean ignoreEncodingErrors) {
-      return text;
     }
   }
 }

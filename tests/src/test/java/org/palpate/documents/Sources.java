@@ -7,9 +7,7 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -22,8 +20,8 @@ final class Sources {
   /** The text of each class by its full name, of tests too. */
   private static final Map<String, String> CLASSES = new TreeMap<>();
 
-  /** The classes that are no tests, by their full names. */
-  private static final Set<String> PRODUCTION = new TreeSet<>();
+  /** The module of each class that is no test, by its full name. */
+  private static final Map<String, String> PRODUCTION = new TreeMap<>();
 
   static {
     readClasses();
@@ -79,7 +77,7 @@ final class Sources {
         String name = relative.replaceAll("\\.java$", "").replace('/', '.');
         CLASSES.put(name, read(file));
         if (path.contains("/src/main/")) {
-          PRODUCTION.add(name);
+          PRODUCTION.put(name, module);
         }
       }
     }
@@ -87,7 +85,12 @@ final class Sources {
 
   /** Whether a class is no test. */
   static boolean isProduction(String name) {
-    return PRODUCTION.contains(name);
+    return PRODUCTION.containsKey(name);
+  }
+
+  /** Whether a class is no test and belongs to a module. */
+  static boolean isInModule(String name, String module) {
+    return module.equals(PRODUCTION.get(name));
   }
 
   /** Returns the text of each class by its full name, of tests too. */

@@ -1,0 +1,187 @@
+package org.palpate.documents;
+
+import com.sun.source.doctree.DocCommentTree;
+import com.sun.source.doctree.DocTree;
+import com.sun.source.doctree.ThrowsTree;
+import com.sun.source.tree.ClassTree;
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.ExpressionTree;
+import com.sun.source.tree.LiteralTree;
+import com.sun.source.tree.MethodTree;
+import com.sun.source.tree.Tree;
+import com.sun.source.util.TreePathScanner;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.regex.Pattern;
+import javax.lang.model.element.Modifier;
+
+/**
+ * The rules for names, texts and comments of declarations that a machine can decide:
+ *
+ * <ul>
+ *   <li>No type, no method and no sentence for users has a word that the glossary avoids.
+ *   <li>A public method has a comment. It states the value that the method returns, and each
+ *       exception that the method declares.
+ * </ul>
+ */
+final class DeclarationRules {
+  /** Words that the glossary avoids and that mean nothing else in names and messages. */
+  private static final Pattern AVOIDED =
+      Pattern.compile(
+          "\\b(openness|octets?|tally|tallies|near cubes?|box trees?|hops?|device point"
+              + "|obstacles?|wish(es)?|climbs?|twins?|walks?)\\b");
+
+  /** The words with which a comment states the returned value. */
+  private static final Pattern STATES_RESULT = Pattern.compile("\\b([Rr]eturns?|Whether)\\b");
+
+  private static final Pattern WORDS = Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|_");
+
+  private final SourceTrees sources;
+  private final List<String> faults = new ArrayList<>();
+
+  private DeclarationRules(SourceTrees sources) {
+    this.sources = sources;
+  }
+
+  /** Returns the names and the sentences for users that have a word to avoid. */
+  static List<String> faultsOfWords(SourceTrees sources) {
+    DeclarationRules rules = new DeclarationRules(sources);
+    sources.units().forEach(unit -> rules.new Words().scan(unit, null));
+    return rules.faults;
+  }
+
+  /** Returns the public methods whose comment is missing or incomplete. */
+  static List<String> faultsOfComments(SourceTrees sources) {
+    DeclarationRules rules = new DeclarationRules(sources);
+    sources.units().forEach(unit -> rules.new Comments(unit).scan(unit, null));
+    return rules.faults;
+  }
+
+  /** Looks for words to avoid. */
+  private final class Words extends TreePathScanner<Void, Void> {
+    private String owner = "";
+
+    @Override
+    public Void visitClass(ClassTree tree, Void unused) {
+      String outer = owner;
+      owner = tree.getSimpleName().toString();
+      checkName(owner);
+      super.visitClass(tree, null);
+      owner = outer;
+      return null;
+    }
+
+    @Override
+    public Void visitMethod(MethodTree tree, Void unused) {
+      checkName(tree.getName().toString());
+      return super.visitMethod(tree, null);
+    }
+
+    @Override
+    public Void visitLiteral(LiteralTree tree, Void unused) {
+      if (tree.getValue() instanceof String text && text.strip().contains(" ")) {
+        check(text.toLowerCase(Locale.ROOT), "\"" + text + "\"");
+      }
+      return null;
+    }
+
+    private void checkName(String name) {
+      check(WORDS.matcher(name).replaceAll(" ").toLowerCase(Locale.ROOT), name);
+    }
+
+    private void check(String words, String what) {
+      if (AVOIDED.matcher(words).find()) {
+        faults.add(owner + ": " + what);
+      }
+    }
+  }
+
+  /** Looks for public methods with an incomplete comment. */
+  private final class Comments extends TreePathScanner<Void, Void> {
+    private final String file;
+
+    Comments(CompilationUnitTree unit) {
+      String path = unit.getSourceFile().getName();
+      file = path.substring(path.lastIndexOf('/') + 1).replace(".java", "");
+    }
+
+    @Override
+    public Void visitClass(ClassTree tree, Void unused) {
+      boolean isVisible = isPublic(tree.getModifiers().getFlags()) || isInInterface();
+      return isVisible ? super.visitClass(tree, null) : null;
+    }
+
+    /** Whether the present class is a member of an interface, and so is public as well. */
+    private boolean isInInterface() {
+      Tree parent = getCurrentPath().getParentPath().getLeaf();
+      return parent.getKind() == Tree.Kind.INTERFACE;
+    }
+
+    private static boolean isPublic(Set<Modifier> modifiers) {
+      return modifiers.contains(Modifier.PUBLIC);
+    }
+
+    @Override
+    public Void visitMethod(MethodTree tree, Void unused) {
+      Tree owner = getCurrentPath().getParentPath().getLeaf();
+      boolean isPublic =
+          isPublic(tree.getModifiers().getFlags())
+              || (owner.getKind() == Tree.Kind.INTERFACE
+                  && !tree.getModifiers().getFlags().contains(Modifier.PRIVATE));
+      if (isPublic && !isOverride(tree)) {
+        check(tree, ((ClassTree) owner).getSimpleName().toString());
+      }
+      return null; // classes within methods are not public
+    }
+
+    private static boolean isOverride(MethodTree tree) {
+      return tree.getModifiers().getAnnotations().stream()
+          .anyMatch(annotation -> annotation.getAnnotationType().toString().equals("Override"));
+    }
+
+    private void check(MethodTree tree, String owner) {
+      String what = file + "." + tree.getName();
+      DocCommentTree comment = sources.comments().getDocCommentTree(getCurrentPath());
+      if (comment == null) {
+        faults.add(what + " has no comment");
+        return;
+      }
+      if (!isVoid(tree) && !statesResult(comment) && !returnsGivenObject(tree, owner)) {
+        faults.add(what + " does not state what it returns");
+      }
+      for (ExpressionTree exception : tree.getThrows()) {
+        if (!states(comment, exception.toString())) {
+          faults.add(what + " does not state when it throws " + exception);
+        }
+      }
+    }
+
+    private static boolean isVoid(MethodTree tree) {
+      return tree.getReturnType() == null || tree.getReturnType().toString().equals("void");
+    }
+
+    private static boolean statesResult(DocCommentTree comment) {
+      boolean hasTag =
+          comment.getBlockTags().stream().anyMatch(tag -> tag.getKind() == DocTree.Kind.RETURN);
+      return hasTag || STATES_RESULT.matcher(comment.getFullBody().toString()).find();
+    }
+
+    /** Whether a method returns its {@code dest}, or the object itself for a chain of calls. */
+    private static boolean returnsGivenObject(MethodTree tree, String owner) {
+      String type = tree.getReturnType().toString();
+      return type.equals(owner)
+          || tree.getParameters().stream().anyMatch(p -> p.getType().toString().equals(type));
+    }
+
+    private static boolean states(DocCommentTree comment, String exception) {
+      return comment.getBlockTags().stream()
+          .anyMatch(
+              tag ->
+                  tag instanceof ThrowsTree stated
+                      && stated.getExceptionName().toString().equals(exception)
+                      && !stated.getDescription().isEmpty());
+    }
+  }
+}

@@ -1,0 +1,105 @@
+package org.palpate.documents;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import org.junit.jupiter.api.Test;
+
+/** All declarations keep {@link DeclarationRules}. */
+class DeclarationRulesTest {
+  private static Map<String, String> production(Predicate<String> isWanted) {
+    Map<String, String> classes = new TreeMap<>(Sources.classes());
+    classes.keySet().removeIf(name -> !Sources.isProduction(name) || !isWanted.test(name));
+    return classes;
+  }
+
+  /** Whether a class belongs to what other programs call: {@code core} and {@code host}. */
+  private static boolean isLibrary(String name) {
+    return Sources.isInModule(name, "core") || name.startsWith("org.palpate.host.");
+  }
+
+  @Test
+  void noNameAndNoTextForUsersHasAWordThatTheGlossaryAvoids() throws IOException {
+    assertEquals(
+        List.of(), DeclarationRules.faultsOfWords(SourceTrees.of(production(name -> true))));
+  }
+
+  @Test
+  void everyPublicMethodOfTheLibraryStatesItsResultAndItsExceptions() throws IOException {
+    Map<String, String> library = production(DeclarationRulesTest::isLibrary);
+    assertTrue(library.size() > 400, "classes: " + library.size());
+    assertEquals(List.of(), DeclarationRules.faultsOfComments(SourceTrees.of(library)));
+  }
+
+  private static List<String> words(String source) throws IOException {
+    return DeclarationRules.faultsOfWords(SourceTrees.of(Map.of("a.A", source)));
+  }
+
+  private static List<String> comments(String members) throws IOException {
+    String source = "package a; /** A. */ public class A {\n" + members + "\n}";
+    return DeclarationRules.faultsOfComments(SourceTrees.of(Map.of("a.A", source)));
+  }
+
+  @Test
+  void plantedWordsAreFoundInTypesMethodsAndTexts() throws IOException {
+    assertEquals(List.of("ContactTally: ContactTally"), words("class ContactTally {}"));
+    assertEquals(List.of("A: devicePoint"), words("interface A { int devicePoint(int x); }"));
+    assertEquals(List.of("B: nearCubes"), words("class A { class B { void nearCubes() {} } }"));
+    assertEquals(
+        List.of("A: \"the octet is wrong\""),
+        words("class A { String s = \"the octet is wrong\"; }"));
+    assertEquals(1, words("class A { String s = \"a Twin of it\"; }").size());
+  }
+
+  @Test
+  void otherWordsKeysAndLongerWordsAreAllowed() throws IOException {
+    assertEquals(List.of(), words("class A { void totally() {} enum B { CLIMBS } }"));
+    assertEquals(List.of(), words("class A { String key = \"twin\"; String s = \"a shop\"; }"));
+    assertEquals(List.of(), words("class A { int devicePointer() { return 1; } }"));
+  }
+
+  @Test
+  void plantedCommentsThatAreIncompleteAreFound() throws IOException {
+    assertEquals(List.of("A.a has no comment"), comments("public int a() { return 1; }"));
+    assertEquals(
+        List.of("A.a does not state what it returns"),
+        comments("/** Counts. */ public int a() { return 1; }"));
+    assertEquals(
+        List.of("A.a does not state when it throws Exception"),
+        comments("/** Runs. */ public void a() throws Exception {}"));
+    assertEquals(
+        List.of("A.a does not state when it throws Exception"),
+        comments("/** Runs.\n * @throws Exception\n */ public void a() throws Exception {}"));
+    assertEquals(
+        List.of("A.b has no comment"), comments("/** B. */ public interface B { int b(); }"));
+  }
+
+  @Test
+  void completeCommentsAndMethodsThatAreNotPublicAreAllowed() throws IOException {
+    assertEquals(List.of(), comments("/** Returns one. */ public int a() { return 1; }"));
+    assertEquals(List.of(), comments("/** Whether it is. */ public boolean a() { return true; }"));
+    assertEquals(
+        List.of(), comments("/** Counts.\n * @return the count\n */ public int a() { return 1; }"));
+    assertEquals(
+        List.of(),
+        comments(
+            """
+            /**
+             * Runs.
+             *
+             * @throws Exception if it fails
+             */
+            public void a() throws Exception {}
+            """));
+    assertEquals(
+        List.of(), comments("/** Writes it. */ public String a(String dest) { return dest; }"));
+    assertEquals(List.of(), comments("/** Sets it. */ public A a(int x) { return this; }"));
+    assertEquals(List.of(), comments("@Override public String toString() { return null; }"));
+    assertEquals(List.of(), comments("int a() { return 1; } static class C { public int c() {} }"));
+  }
+}
