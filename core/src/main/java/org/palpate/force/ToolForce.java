@@ -23,6 +23,12 @@ import org.palpate.rigid.tool.RigidTool;
 public final class ToolForce {
   private static final GridMetric WORLD = new GridMetric(1, 1, 1);
 
+  /**
+   * The depth below the isosurface at which grey values are read, edges. Over flat faces the
+   * isosurface is half an edge high, so the position is as deep in the voxels as that of a point.
+   */
+  private static final double GREY_DEPTH_EDGES = 1.5;
+
   private final RigidCoupling coupling;
   private final double squaredRadiusMm2;
   private final CouplingRateLimit rateLimit;
@@ -63,7 +69,7 @@ public final class ToolForce {
     rateLimit = new CouplingRateLimit(tool, ChangeBound.MIN_MOTION_EDGES * shortestEdgeMm);
     material = new MaterialTransition(shortestEdgeMm, settings.general());
     friction = new ToolFriction(shortestEdgeMm);
-    greyDepthMm = shortestEdgeMm;
+    greyDepthMm = GREY_DEPTH_EDGES * shortestEdgeMm;
   }
 
   /** Changes materials and friction from the next frame on. */
@@ -181,10 +187,11 @@ public final class ToolForce {
     return most;
   }
 
-  /** Returns the grey value at a contact, an edge of a voxel below the surface. */
+  /** Returns the grey value at a contact, below the surface of the body. */
   private double greyUnder(ToolMotion tool, int contact) {
-    tool.pose().transform(tool.contacts().position(contact, under), under);
-    tool.contacts().normal(contact, normal).mul(greyDepthMm, normal);
+    double belowPointMm = tool.contacts().heightMm(contact) + greyDepthMm;
+    tool.contactMm(contact, under);
+    tool.contacts().normal(contact, normal).mul(belowPointMm, normal);
     greys.grid().worldToGrid(under.sub(normal, under), under);
     return greys.greyAt(under);
   }

@@ -87,6 +87,7 @@ final class ContactConstraints {
   private final double[] atY = new double[CAPACITY];
   private final double[] atZ = new double[CAPACITY];
   private final double[] heightMm = new double[CAPACITY];
+  private final double[] clearanceMm = new double[CAPACITY];
   private final int[] raises = new int[CAPACITY];
   private final boolean[] face = new boolean[CAPACITY];
   private final KineticMetric metric;
@@ -160,15 +161,17 @@ final class ContactConstraints {
    *
    * @param at the point in the frame of what moves, mm
    * @param push unit, world axes: the normal along which the contact pushes what moves
-   * @param surfaceMm the height of the point over the surface, mm; negative below it
+   * @param surface the surface that was found near the point
    * @param mostRiseMm the most that a point below the present depth is required to rise, mm
    * @return its index, or -1 if there are too many contacts
    */
-  int addSurface(int ofBody, int ofPoint, Vec3 at, Vec3 push, double surfaceMm, double mostRiseMm) {
+  int addSurface(
+      int ofBody, int ofPoint, Vec3 at, Vec3 push, ContactField surface, double mostRiseMm) {
     int c = add(ofBody, ofPoint, at, push, false);
     if (c >= 0) {
-      heightMm[c] = surfaceMm;
-      problem.b[row(c)] = Math.min(-surfaceMm, depthMm + mostRiseMm);
+      clearanceMm[c] = surface.clearanceMm;
+      heightMm[c] = surface.heightMm;
+      problem.b[row(c)] = Math.min(-surface.heightMm, depthMm + mostRiseMm);
       problem.a[row(c) * UNKNOWNS + DEPTH] = 1 / DEPTH_SCALE;
     }
     return c;
@@ -180,9 +183,10 @@ final class ContactConstraints {
    * @param at the point in the frame of what moves, mm
    * @param faceNormal unit, world axes: the normal along which the contact pushes what moves
    * @param gapMm the distance of the point from the face, mm
+   * @param keptMm the distance of the face from the body's own voxel, mm
    * @return whether the contact is new or tighter
    */
-  boolean addFace(int ofBody, int ofPoint, Vec3 at, Vec3 faceNormal, double gapMm) {
+  boolean addFace(int ofBody, int ofPoint, Vec3 at, Vec3 faceNormal, double gapMm, double keptMm) {
     double need = Math.min(0, SHORT_OF_FACE_EDGES * edgeMm - gapMm);
     for (int c = 0; c < count; c++) {
       if (face[c]
@@ -198,6 +202,7 @@ final class ContactConstraints {
       return false;
     }
     heightMm[c] = gapMm;
+    clearanceMm[c] = keptMm;
     problem.b[row(c)] = need;
     return true;
   }
@@ -245,6 +250,11 @@ final class ContactConstraints {
     problem.a[row(c) * UNKNOWNS + DEPTH] = 0;
     problem.b[row(c)] = Math.max(0, problem.b[row(c)]) + RAISES_EDGES[raises[c]++] * edgeMm;
     return true;
+  }
+
+  /** Returns the height of a contact over the body's own surface after the last solution, mm. */
+  double heightMm(int c) {
+    return clearanceMm[c] + Math.max(0, heightMm[c] + problem.along(row(c)));
   }
 
   /** Whether the last solution violates a contact. */

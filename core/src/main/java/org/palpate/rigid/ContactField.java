@@ -39,6 +39,9 @@ final class ContactField {
   /** The height of that point over the surface, mm; negative below it. */
   double heightMm;
 
+  /** The distance that a point is kept from the body's own surface along the normal, mm. */
+  double clearanceMm;
+
   /** The number of evaluations that the last search took. */
   int evaluations;
 
@@ -127,9 +130,8 @@ final class ContactField {
       return false;
     }
     gradient.mul(-1 / slope, gradient);
-    heightMm =
-        field.level().heightEdges(sample.occupancy(), gradient) * edgeMm
-            - levels.reachMm(level, gradient);
+    clearanceMm = levels.reachMm(level, gradient);
+    heightMm = field.level().heightEdges(sample.occupancy(), gradient) * edgeMm - clearanceMm;
     body.gridDirectionToWorld(gradient, normal);
     return true;
   }

@@ -358,7 +358,7 @@ final class RigidStepper {
   private int addFound(int body, int point, double riseMm) {
     ContactField field = verifier.field(body);
     field.normal.mul(verifier.pushSign(body), push);
-    return contacts.addSurface(body, point, own, push, field.heightMm, riseMm);
+    return contacts.addSurface(body, point, own, push, field, riseMm);
   }
 
   /**
@@ -446,11 +446,12 @@ final class RigidStepper {
     int body = hits.body[hit];
     position.set(0, 0, 0);
     position.set(axis, hits.side[hit]);
-    verifier.pair(body).solid.body.gridDirectionToWorld(position, push);
+    BodyVerifier pair = verifier.pair(body);
+    double keptMm = pair.levels.reachMm(pair.level(hits.point[hit]), position);
+    pair.solid.body.gridDirectionToWorld(position, push);
     push.mul(verifier.pushSign(body), push);
-    verifier.pair(body).points.shape.point(hits.point[hit], position);
-    verifier.ownPosition(body, position, own);
-    return contacts.addFace(body, hits.point[hit], own, push, hits.gapMm[hit]);
+    verifier.ownPosition(body, pair.points.shape.point(hits.point[hit], position), own);
+    return contacts.addFace(body, hits.point[hit], own, push, hits.gapMm[hit], keptMm);
   }
 
   private boolean stepShorter(double fraction) {
@@ -484,6 +485,7 @@ final class RigidStepper {
             verifier.other(contacts.body[c]),
             contacts.at(c, own),
             contacts.normal(c, position),
+            contacts.heightMm(c),
             multiplier);
       }
     }

@@ -15,6 +15,7 @@ public final class ToolContacts {
   final double[] y = new double[MOST];
   final double[] z = new double[MOST];
   final double[] share = new double[MOST];
+  final double[] heightMm = new double[MOST];
   final double[] normalX = new double[MOST];
   final double[] normalY = new double[MOST];
   final double[] normalZ = new double[MOST];
@@ -40,6 +41,14 @@ public final class ToolContacts {
     return share[contact];
   }
 
+  /**
+   * Returns the height of the touched point over the surface of the body, mm: hardly more than 0 in
+   * mode {@code points}, and at least the clearance in mode {@code body}.
+   */
+  public double heightMm(int contact) {
+    return heightMm[contact];
+  }
+
   /** Writes the normal of the surface, unit, world axes, out of the body. */
   public Vec3 normal(int contact, Vec3 dest) {
     return dest.set(normalX[contact], normalY[contact], normalZ[contact]);
@@ -50,7 +59,7 @@ public final class ToolContacts {
   }
 
   /** Adds a contact whose share is still the multiplier of its constraint. */
-  void add(int ofBody, Vec3 position, Vec3 normal, double multiplier) {
+  void add(int ofBody, Vec3 position, Vec3 normal, double aboveMm, double multiplier) {
     if (count < MOST) {
       body[count] = ofBody;
       x[count] = position.x;
@@ -59,6 +68,7 @@ public final class ToolContacts {
       normalX[count] = normal.x;
       normalY[count] = normal.y;
       normalZ[count] = normal.z;
+      heightMm[count] = aboveMm;
       share[count++] = multiplier;
     }
   }

@@ -11,6 +11,7 @@ import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.Clearance;
 import org.palpate.rigid.RigidCoupling;
 import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.RigidSolver;
@@ -45,13 +46,21 @@ class ToolForceTest {
     hold(new ForceSettings(general, FrictionForm.CONE, true, List.of()));
   }
 
+  private RigidCoupling spring() {
+    return RigidCoupling.of(plate, STIFFNESS);
+  }
+
   /** Presses the plate onto the floor and lets it settle. */
   private void hold(ForceSettings settings) {
-    hold(new ToolForce(plate, 1, RigidCoupling.of(plate, STIFFNESS), settings));
+    hold(new ToolForce(plate, 1, spring(), settings));
   }
 
   private void hold(ToolForce newForce) {
-    solver = new RigidSolver(bodies, plate, RigidSettings.ofWholeBodies(8, bodies, plate));
+    hold(newForce, RigidSettings.ofWholeBodies(8, bodies, plate));
+  }
+
+  private void hold(ToolForce newForce, RigidSettings clearances) {
+    solver = new RigidSolver(bodies, plate, clearances);
     toolForce = newForce;
     device.setIdentity();
     device.translation.set(16, 16, 14);
@@ -302,20 +311,28 @@ class ToolForceTest {
 
   /** The values rise by 100 a voxel, and the stiffness with them. */
   @Test
-  void theGreyValueAnEdgeBelowTheContactGivesTheMaterial() {
+  void theGreyValueInsideTheBodyGivesTheMaterialWhateverTheClearance() {
     ScalarVolume values = ScalarVolume.of(Floor.GRID, ScalarVolume.Storage.INT16);
     for (int n = 0; n < 32 * 32 * 32; n++) {
       values.set(n % 32, n / 32 % 32, n / 1024, 100 * (n / 1024));
     }
     List<GreyMaterials.Row> rows =
         List.of(new GreyMaterials.Row(0, 0, 0, 0), new GreyMaterials.Row(3000, 1, 0, 0));
-    ToolForce greys =
-        new ToolForce(plate, 1, RigidCoupling.of(plate, STIFFNESS), ForceSettings.of(STIFFNESS, 0));
-    greys.use(new GreyMaterials(values, rows));
-    hold(greys);
-    double contactZ = motion.pose().translation.z + motion.contacts().position(0, new Vec3()).z;
-    double factor = 100 * (contactZ - 1 - 0.5) / 3000;
-    assertEquals(factor * STIFFNESS * stretchMm(), force.z, 1e-3 * force.z);
+    GreyMaterials materials = new GreyMaterials(values, rows);
+    for (RigidSettings settings :
+        List.of(
+            RigidSettings.of(8, Clearance.POINTS),
+            RigidSettings.ofWholeBodies(8, bodies, plate),
+            RigidSettings.of(8, Clearance.ofWholeBody(plate, Floor.GRID, 1.5)))) {
+      ToolForce greys = new ToolForce(plate, 1, spring(), ForceSettings.of(STIFFNESS, 0));
+      greys.use(materials);
+      hold(greys, settings);
+      assertTrue(stretchMm() > 0.5, "the plate is pressed by " + stretchMm());
+      double readZ = 0.5 + 30 * force.z / (STIFFNESS * stretchMm());
+      assertTrue(
+          readZ >= Floor.TOP - 1 - 1e-6 && readZ <= Floor.TOP - 0.5,
+          readZ + " " + settings.clearances());
+    }
   }
 
   @Test
