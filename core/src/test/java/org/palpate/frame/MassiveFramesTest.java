@@ -40,17 +40,23 @@ class MassiveFramesTest {
   private long nowNanos = 1;
 
   private PointFrame frame(BitCube bits, ProxySolver solver, double kg, Vec3 gravity) {
+    ForceSettings force = Floor.settings().force();
+    MassSettings held = new MassSettings(kg, gravity);
+    return frame(bits, solver, Floor.settings(), new MassiveContact(Floor.METRIC, force, held));
+  }
+
+  private PointFrame frame(
+      BitCube bits, ProxySolver solver, FrameSettings settings, MassiveContact mass) {
     PointFrame frame =
         new PointFrame(
             GridDevice.inGridCoordinates(device),
             solver,
             new CollisionScene(List.of(bits)),
             Floor.METRIC,
-            Floor.settings(),
+            settings,
             new EditQueue(VoxelGrid.ofUnitVoxels(bits.sizeX(), bits.sizeY(), bits.sizeZ()), 1),
             FramePublisher.NONE);
-    ForceSettings force = Floor.settings().force();
-    frame.give(new MassiveContact(Floor.METRIC, force, new MassSettings(kg, gravity)));
+    frame.give(mass);
     return frame;
   }
 
@@ -116,6 +122,65 @@ class MassiveFramesTest {
         run(frame, 1);
         assertTrue(frame.point().position.sameBits(rested), "frame " + n + " of " + solver);
         assertTrue(device.lastForce().sameBits(felt));
+      }
+    }
+  }
+
+  /** Returns a ball that is cut to a wide terrace above, and has steps of one voxel elsewhere. */
+  private static BitCube hill() {
+    BitCube bits = new BitCube(Floor.EDGE, Floor.EDGE, Floor.EDGE);
+    for (int n = 0; n < Floor.EDGE * Floor.EDGE * Floor.EDGE; n++) {
+      int i = n % Floor.EDGE;
+      int j = n / Floor.EDGE % Floor.EDGE;
+      int k = n / (Floor.EDGE * Floor.EDGE);
+      if (Math.hypot(Math.hypot(i - 15.5, j - 15.5), k - 3.5) < 13.2 && k < 13) {
+        bits.set(i, j, k);
+      }
+    }
+    return bits;
+  }
+
+  /** A hand may get back what it gave, and no more, but for what the observer has not paid yet. */
+  @Test
+  void aHandThatWandersOverACurvedHillGetsNoEnergyFromTheMass() {
+    long frames = Long.getLong("palpate.massFrames", 60_000);
+    for (double kg : new double[] {0.005, 0.05, 1}) {
+      for (ProxySolver solver : solvers()) {
+        ForceSettings force = ForceSettings.of(2, random.nextInt(2) * 0.2);
+        FrameSettings unlimited =
+            new FrameSettings(
+                force,
+                Double.POSITIVE_INFINITY,
+                Double.POSITIVE_INFINITY,
+                0,
+                FrameSettings.NO_SILENCE,
+                1);
+        MassiveContact mass =
+            new MassiveContact(Floor.METRIC, force, new MassSettings(kg, new Vec3()));
+        PointFrame frame = frame(hill(), solver, unlimited, mass);
+        hand.set(16, 16, 18);
+        run(frame, 1);
+        Vec3 speed = new Vec3();
+        Vec3 last = new Vec3();
+        double given = 0;
+        long touching = 0;
+        for (long n = 0; n < frames; n++) {
+          last.set(hand);
+          for (int axis = 0; axis < 3; axis++) {
+            double home = axis == 2 ? 12 : 16;
+            double jolt = random.nextInt(500) == 0 ? 1 : 0.02;
+            double pull = 0.001 * (home - hand.get(axis));
+            speed.set(axis, 0.98 * speed.get(axis) + pull + jolt * (random.nextDouble() - 0.5));
+            hand.set(axis, hand.get(axis) + speed.get(axis));
+          }
+          run(frame, 1);
+          given -= frame.forceNewton().dot(hand.sub(last, last));
+          touching += frame.point().contact ? 1 : 0;
+          String where = solver + " " + kg + " kg, seed " + seed + " frame " + n;
+          assertTrue(given >= -mass.debtMillijoule() - 1e-9 * n, where + ": " + given + " mJ");
+        }
+        assertTrue(given > 1 && touching > frames / 10, "it touched: " + touching);
+        assertEquals(0, mass.debtMillijoule(), 1, "a debt is paid soon");
       }
     }
   }
