@@ -153,6 +153,17 @@ public final class Body {
     return changes[(int) (edit % REMEMBERED_EDITS)];
   }
 
+  /**
+   * Grows a box so that it contains all voxels that edits may have changed.
+   *
+   * @param seen the number of edits before the first of them
+   */
+  public void includeChanges(long seen, IntBox dest) {
+    for (long edit = Math.max(seen, oldestEdit() - 1); edit < edits; edit++) {
+      dest.include(change(edit));
+    }
+  }
+
   /** Returns the number of the oldest edit whose box is remembered. */
   public long oldestEdit() {
     return Math.max(0, edits - REMEMBERED_EDITS);

@@ -70,6 +70,15 @@ public final class BodyScene {
     return sum;
   }
 
+  /** Returns the number of edits of all bodies. */
+  public long edits() {
+    long sum = 0;
+    for (Body body : bodies) {
+      sum += body.edits();
+    }
+    return sum;
+  }
+
   /** Returns the shortest voxel edge of all bodies, mm. */
   public double shortestEdgeMm() {
     return shortestEdgeMm;

@@ -63,6 +63,16 @@ public final class IntBox {
     return i >= lowX && i <= highX && j >= lowY && j <= highY && k >= lowZ && k <= highZ;
   }
 
+  /** Whether a point lies in the box, whose cells are closed. */
+  public boolean touches(Vec3 p) {
+    return p.x >= lowX
+        && p.x <= highX + 1.0
+        && p.y >= lowY
+        && p.y <= highY + 1.0
+        && p.z >= lowZ
+        && p.z <= highZ + 1.0;
+  }
+
   /** Whether the two boxes share a cell. */
   public boolean meets(IntBox other) {
     return lowX <= other.highX

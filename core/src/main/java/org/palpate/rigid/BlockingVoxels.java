@@ -2,6 +2,7 @@ package org.palpate.rigid;
 
 import org.palpate.body.BodyScene;
 import org.palpate.body.GrownSolids;
+import org.palpate.collision.EmptyBox;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -137,7 +138,7 @@ public final class BlockingVoxels {
   /** Whether no point of a node lies within the growth of a voxel and the diagonal of a cell. */
   private boolean isFar(int node, BodyVerifier ofBody, int i, int j, int k) {
     ClearanceLevels levels = ofBody.levels;
-    AffineMap map = ofBody.from;
+    AffineMap map = ofBody.from();
     Vec3 s = levels.body.grid().spacingMm();
     double x = gap(map.x(tree.x(node), tree.y(node), tree.z(node)), i, s.x);
     double y = gap(map.y(tree.x(node), tree.y(node), tree.z(node)), j, s.y);
@@ -154,7 +155,7 @@ public final class BlockingVoxels {
   private boolean meets(BodyVerifier ofBody, int point, int i, int j, int k) {
     ClearanceLevels levels = ofBody.levels;
     int at = ofBody.level(point);
-    levels.toCells(ofBody.from, at, from);
+    levels.toCells(ofBody.from(), at, from);
     double x = from.x(tool.x(point), tool.y(point), tool.z(point));
     double y = from.y(tool.x(point), tool.y(point), tool.z(point));
     double z = from.z(tool.x(point), tool.y(point), tool.z(point));
@@ -185,7 +186,7 @@ public final class BlockingVoxels {
     BodyVerifier ofBody = verifier.pair(index);
     ClearanceLevels levels = ofBody.levels;
     levels.body.toolToGrid(next, toGrid);
-    levels.toCells(ofBody.from, levels.highest, from);
+    levels.toCells(ofBody.from(), levels.highest, from);
     levels.toCells(toGrid, levels.highest, to);
     int node = 0;
     while (node < tree.nodes()) {
@@ -217,12 +218,12 @@ public final class BlockingVoxels {
     ClearanceLevels levels = ofBody.levels;
     int at = ofBody.level(point);
     if (at != levels.highest) {
-      levels.toCells(ofBody.from, at, from);
+      levels.toCells(ofBody.from(), at, from);
       levels.toCells(toGrid, at, to);
     }
     cast(index, levels.cubes[at], at, point);
     if (at != levels.highest) {
-      levels.toCells(ofBody.from, levels.highest, from);
+      levels.toCells(ofBody.from(), levels.highest, from);
       levels.toCells(toGrid, levels.highest, to);
     }
   }

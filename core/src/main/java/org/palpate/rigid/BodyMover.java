@@ -180,13 +180,13 @@ public final class BodyMover {
     double part = longestPart(body);
     double shiftMm = shift.length();
     double turnRad = turn.length();
-    if (body.hasLargeArcs(part * shiftMm, part * turnRad)) {
+    if (body.limits.hasLargeArcs(part * shiftMm, part * turnRad)) {
       propose(index, part);
       if (isFree(body, part * shiftMm, part * turnRad)) {
         commit(index, motion, BodyMotions.NO_STEP);
         return;
       }
-      part = Math.min(part, SHORT_OF_LIMIT * body.largestPart(shiftMm, turnRad));
+      part = Math.min(part, SHORT_OF_LIMIT * body.limits.largestPart(shiftMm, turnRad));
     }
     double smallest = SMALLEST_PART * part;
     for (; part >= smallest; part /= 2) {
@@ -257,7 +257,7 @@ public final class BodyMover {
     if (!motion.canBePushed()
         || motion.pathMm + pathMm > PUSHED_PART * maxStepMm
         || isTooFar(tool, device)
-        || tool.hasLargeArcs(handShift.length(), handTurn.length())
+        || tool.limits.hasLargeArcs(handShift.length(), handTurn.length())
         || !tool.keepsChordsWith(index, handShift.length(), part * shift.length(), turnRad)) {
       return false;
     }

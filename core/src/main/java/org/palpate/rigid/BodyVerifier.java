@@ -1,8 +1,10 @@
 package org.palpate.rigid;
 
 import java.util.Arrays;
+import org.palpate.collision.EmptyBox;
 import org.palpate.collision.LegScreen;
 import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.ArcBound;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
@@ -61,9 +63,9 @@ final class BodyVerifier {
   final LegScreen screen;
 
   /** The maps from the points' frame to the body's grid at the committed and the proposed poses. */
-  final AffineMap from = new AffineMap();
+  private final AffineMap from = new AffineMap();
 
-  final AffineMap to = new AffineMap();
+  private final AffineMap to = new AffineMap();
 
   private final RigidTool tool;
   private final SphereTree tree;
@@ -75,11 +77,14 @@ final class BodyVerifier {
   private final AffineMap cellsFrom = new AffineMap();
 
   private final AffineMap cellsTo = new AffineMap();
-  private final AffineMap levelFrom = new AffineMap();
-  private final AffineMap levelTo = new AffineMap();
   private final byte[] level;
   private int reducedCount;
   private int raiseNext;
+
+  /** The versions of the committed poses to which the maps belong. */
+  private long pointsSeen;
+
+  private long solidSeen;
 
   private double odometer;
   private final double[] freeUntil;
@@ -180,9 +185,11 @@ final class BodyVerifier {
     levels.takeEdits(); // or a solid that was added since would be seen at the lowest level only
     levels.body.toolToGrid(ofBody, ofPoints, to);
     levels.toCells(to, highest, cellsTo);
+    pointsSeen = points.version();
+    solidSeen = solid.version();
     reducedCount = 0;
     for (int n = 0; n < tool.count(); n++) {
-      int free = freeLevel(n, to, highest);
+      int free = levels.freeLevel(tool.point(n, position), to, highest, caster);
       if (free < least) {
         return false;
       }
@@ -193,25 +200,6 @@ final class BodyVerifier {
     cellsFrom.set(cellsTo);
     resetOdometer();
     return true;
-  }
-
-  /**
-   * Returns the highest level, up to a limit, that a point does not touch; -1 if it touches all.
-   */
-  private int freeLevel(int n, AffineMap toGrid, int limit) {
-    int free = limit;
-    while (free >= 0 && touches(n, toGrid, free)) {
-      free--;
-    }
-    return free;
-  }
-
-  private boolean touches(int n, AffineMap toGrid, int atLevel) {
-    levels.toCells(toGrid, atLevel, levelTo);
-    double x = levelTo.x(tool.x(n), tool.y(n), tool.z(n));
-    double y = levelTo.y(tool.x(n), tool.y(n), tool.z(n));
-    double z = levelTo.z(tool.x(n), tool.y(n), tool.z(n));
-    return caster.cast(levels.cubes[atLevel], ray.from(x, y, z).to(x, y, z), hit);
   }
 
   private void resetOdometer() {
@@ -232,11 +220,10 @@ final class BodyVerifier {
     if (edits == editsSeen) {
       return Mover.EditOutcome.NONE;
     }
-    for (long edit = Math.max(editsSeen, levels.body.oldestEdit() - 1); edit < edits; edit++) {
-      edited.include(levels.body.change(edit));
-    }
+    levels.body.includeChanges(editsSeen, edited);
     editsSeen = edits;
     levels.takeEdits();
+    catchUp();
     resetOdometer();
     if (edited.isEmpty()) {
       return Mover.EditOutcome.FREE;
@@ -245,7 +232,7 @@ final class BodyVerifier {
     boolean free = true;
     for (int n = 0; n < tool.count(); n++) {
       if (isInChange(n)) {
-        int now = freeLevel(n, from, level[n]);
+        int now = levels.freeLevel(tool.point(n, position), from, level[n], caster);
         free &= now >= 0;
         reducedCount += now < highest && level[n] == highest ? 1 : 0;
         level[n] = (byte) Math.max(0, now);
@@ -256,12 +243,24 @@ final class BodyVerifier {
 
   private boolean isInChange(int n) {
     from.transform(tool.point(n, position), position);
-    return position.x >= changed.lowX
-        && position.x <= changed.highX + 1
-        && position.y >= changed.lowY
-        && position.y <= changed.highY + 1
-        && position.z >= changed.lowZ
-        && position.z <= changed.highZ + 1;
+    return changed.touches(position);
+  }
+
+  /** Returns the map from the points' frame to the body's grid at the committed poses. */
+  AffineMap from() {
+    catchUp();
+    return from;
+  }
+
+  /**
+   * Takes the committed poses. While the two are so far from each other that they are not found in
+   * the {@link MoverBroadPhase}, their motions are not proposed to this.
+   */
+  private void catchUp() {
+    if (pointsSeen != points.version() || solidSeen != solid.version()) {
+      proposeMaps(points.pose, solid.bodyPose());
+      commit();
+    }
   }
 
   /**
@@ -271,6 +270,11 @@ final class BodyVerifier {
    * @param ofBody the pose of the body, rest to present
    */
   void propose(Pose ofPoints, Pose ofBody) {
+    catchUp();
+    proposeMaps(ofPoints, ofBody);
+  }
+
+  private void proposeMaps(Pose ofPoints, Pose ofBody) {
     levels.body.toolToGrid(ofBody, ofPoints, to);
     levels.toCells(to, highest, cellsTo);
     roundingCells = LEAST_ROUNDING_CELLS + rounding();
@@ -298,6 +302,8 @@ final class BodyVerifier {
     odometer += travel;
     from.set(to);
     cellsFrom.set(cellsTo);
+    pointsSeen = points.version();
+    solidSeen = solid.version();
     if (odometer > LONGEST_ODOMETER) {
       resetOdometer();
     }
@@ -433,7 +439,7 @@ final class BodyVerifier {
     double y = cellsFrom.y(a, b, c);
     double z = cellsFrom.z(a, b, c);
     BitCube cube = levels.cubes[highest];
-    double empty = skips ? emptyAround(cube, x, y, z) : 0;
+    double empty = skips ? levels.emptyAround(x, y, z) - roundingCells : 0;
     freeUntil[n] = odometer + empty;
     if (empty >= travel) {
       return;
@@ -447,22 +453,11 @@ final class BodyVerifier {
     cast(n, highest, ray.from(x, y, z).to(toX, toY, toZ), hits);
   }
 
-  /** Returns half the edge of an empty cube around a point, cells; below 0 if there is none. */
-  private double emptyAround(BitCube cube, double x, double y, double z) {
-    double near = EmptyBox.around(cube, x, y, z);
-    if (near >= 2) {
-      near = Math.max(near, levels.clearance.at(x, y, z));
-    }
-    return near - roundingCells;
-  }
-
   private void testReduced(int n, LegHits hits) {
     int at = level[n];
-    levels.toCells(from, at, levelFrom);
-    levels.toCells(to, at, levelTo);
-    levelFrom.transform(tool.point(n, position), position);
+    levels.inCells(tool.point(n, position), from, at, position);
     ray.from(position.x, position.y, position.z);
-    levelTo.transform(tool.point(n, position), position);
+    levels.inCells(tool.point(n, position), to, at, position);
     ray.to(position.x, position.y, position.z);
     freeUntil[n] = -1;
     cast(n, at, ray, hits);
@@ -484,11 +479,15 @@ final class BodyVerifier {
    * points, and returns it; the next call goes on with the others.
    */
   int raiseLevels(int most) {
+    if (reducedCount > 0) {
+      catchUp();
+    }
     int n = 0;
     for (; n < most && reducedCount > 0; n++) {
       raiseNext = raiseNext + 1 < tool.count() ? raiseNext + 1 : 0;
       int now = level[raiseNext];
-      if (now < highest && !touches(raiseNext, from, now + 1)) {
+      if (now < highest
+          && !levels.touches(tool.point(raiseNext, position), from, now + 1, caster)) {
         level[raiseNext]++;
         freeUntil[raiseNext] = -1;
         leafFreeUntil[tree.leafOfPoint(raiseNext)] = -1;

@@ -5,9 +5,13 @@ import org.palpate.body.BrickClearance;
 import org.palpate.body.GrownSolids;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.DeviceVoxels;
+import org.palpate.collision.EmptyBox;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.Ray;
+import org.palpate.raycast.RayHit;
 import org.palpate.volume.BitCube;
 
 /**
@@ -39,6 +43,10 @@ final class ClearanceLevels {
 
   private final double growthMm;
   private final GrownSolids[] grown;
+  private final AffineMap pointToCells = new AffineMap();
+  private final Vec3 inCells = new Vec3();
+  private final Ray ray = new Ray();
+  private final RayHit hit = new RayHit();
   private long editsSeen;
 
   /** Grows the solids of a body by the clearance of a tool, and by parts of it. */
@@ -119,6 +127,37 @@ final class ClearanceLevels {
     dest.offsetY = cells.toCells(toGrid.offsetY, 1);
     dest.offsetZ = cells.toCells(toGrid.offsetZ, 2);
     return dest;
+  }
+
+  /** Returns half the edge of an empty cube around a point, in cells of the highest level. */
+  double emptyAround(double x, double y, double z) {
+    double near = EmptyBox.around(cubes[highest], x, y, z);
+    return near >= 2 ? Math.max(near, clearance.at(x, y, z)) : near;
+  }
+
+  /** Writes the place of a point in the cells of a level; {@code dest} may be the point. */
+  Vec3 inCells(Vec3 point, AffineMap toGrid, int level, Vec3 dest) {
+    return toCells(toGrid, level, pointToCells).transform(point, dest);
+  }
+
+  /**
+   * Returns the highest level, up to a limit, that a point does not touch; -1 if it touches all.
+   *
+   * @param toGrid the map from the frame of the point to the body's grid
+   */
+  int freeLevel(Vec3 point, AffineMap toGrid, int limit, ExactRayCaster caster) {
+    int free = limit;
+    while (free >= 0 && touches(point, toGrid, free, caster)) {
+      free--;
+    }
+    return free;
+  }
+
+  /** Whether a point touches a level. */
+  boolean touches(Vec3 point, AffineMap toGrid, int level, ExactRayCaster caster) {
+    inCells(point, toGrid, level, inCells);
+    ray.from(inCells.x, inCells.y, inCells.z).to(inCells.x, inCells.y, inCells.z);
+    return caster.cast(cubes[level], ray, hit);
   }
 
   /** Applies the edits of the body since the last call. Several verifiers may share the levels. */

@@ -84,7 +84,7 @@ final class ContactField {
   boolean touch(BodyVerifier pair, int point) {
     RigidTool tool = pair.points.shape;
     int level = pair.level(point);
-    pair.from.transform(tool.point(point, at), grid);
+    pair.from().transform(tool.point(point, at), grid);
     seed.set(grid);
     evaluations = 1;
     if (!evaluate(grid, level)) {
@@ -94,7 +94,7 @@ final class ContactField {
     findLowest(pair, point);
     boolean found = true;
     for (int n = 0; n < SEARCHES && found && isLowestElsewhere(); n++) {
-      found = evaluate(pair.from.transform(at.set(lowest), grid), level);
+      found = evaluate(pair.from().transform(at.set(lowest), grid), level);
       evaluations++;
       findLowest(pair, point);
     }

@@ -57,18 +57,26 @@ final class EnclosureCheck {
     if (pair.reducedCount() > 0) {
       begin();
     } else {
-      isPending = false;
+      setPending(false);
+    }
+  }
+
+  private void setPending(boolean pending) {
+    if (pending != isPending) {
+      isPending = pending;
+      pair.points.pendingChecks += pending ? 1 : -1;
     }
   }
 
   /** Begins the examination anew, because a solid may have passed between the points. */
   void begin() {
-    isPending = canEnclose();
+    setPending(canEnclose());
     nextJ = 0;
     nextK = 0;
   }
 
-  private boolean canEnclose() {
+  /** Whether the points have a clearance and a solid, so that they may enclose something. */
+  boolean canEnclose() {
     return pair.levels.highest > 0 && tool.solid() != null;
   }
 
@@ -82,7 +90,7 @@ final class EnclosureCheck {
   }
 
   /** Whether the solid encloses the centre of a voxel that the last edit changed. */
-  boolean enclosesEdited() {
+  private boolean enclosesEdited() {
     if (!canEnclose()) {
       return false;
     }
@@ -94,6 +102,22 @@ final class EnclosureCheck {
   /** Whether the solid encloses the centre of voxel (i,j,k) at the committed poses. */
   boolean encloses(int i, int j, int k) {
     return canEnclose() && encloses(pair.points.pose, pair.solid.bodyPose(), i, j, k);
+  }
+
+  /** Applies the edits of the pair's body, and looks whether added voxels are enclosed. */
+  Mover.EditOutcome takeEdits() {
+    boolean enclosedNothing = !isPending && pair.reducedCount() == 0;
+    Mover.EditOutcome outcome = pair.takeEdits();
+    if (outcome != Mover.EditOutcome.FREE) {
+      return outcome;
+    }
+    if (enclosedNothing && enclosesEdited()) {
+      return Mover.EditOutcome.COLLIDING;
+    }
+    if (isPending || pair.reducedCount() > 0) {
+      begin();
+    }
+    return Mover.EditOutcome.FREE;
   }
 
   private boolean enclosesInBox(Pose ofPoints, Pose ofBody) {
@@ -120,7 +144,7 @@ final class EnclosureCheck {
     setVoxelsAround(ofPoints, ofBody);
     for (int rows = 0; rows < ROWS_PER_FRAME && examined < VOXELS_PER_FRAME; rows++) {
       if (!findRow()) {
-        isPending = false;
+        setPending(false);
         return;
       }
       if (enclosesInRow(ofPoints, ofBody, nextJ++, nextK)) {

@@ -5,6 +5,7 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.VoxelGrid;
 
 /**
  * A rigid thing among others: the tool, a body that moves, or a body that stands still. It has a
@@ -33,8 +34,20 @@ final class Mover {
   /** The mover along with which this one moves as if glued to it; itself if it moves alone. */
   Mover carrier = this;
 
+  /**
+   * The error of the place of a voxel in the world, mm: the axes of a file are orthonormal only to
+   * some digits, and verification maps the world to the grid by the transposed axes.
+   */
+  private final double distortionMm;
+
+  /** The number of pairs in which this carries the points and may enclose a solid. */
+  int pendingChecks;
+
   private final ReferencePose reference;
   private final Pose bodyCandidate = new Pose();
+  private MoverBroadPhase broadPhase;
+  private int index;
+  private long version;
   private long motionsSeen;
   private boolean isPresent;
 
@@ -44,6 +57,7 @@ final class Mover {
     boolean movesVoxels = shape != null && body != null;
     reference = movesVoxels ? new ReferencePose(shape.referenceMm(new Vec3())) : null;
     reachMm = movesVoxels ? reachMm(body, shape.referenceMm(new Vec3())) : 0;
+    distortionMm = body == null ? 0 : distortionMm(body.grid());
     isPresent = body != null;
     if (body != null) {
       takeBodyPose();
@@ -83,6 +97,26 @@ final class Mover {
       }
     }
     return (Math.sqrt(square) + body.grid().spacingMm().length()) * (1 + 1e-12);
+  }
+
+  private static double distortionMm(VoxelGrid grid) {
+    Vec3 spacing = grid.spacingMm();
+    Vec3 far =
+        new Vec3(
+            (grid.sizeX() + 1) * spacing.x,
+            (grid.sizeY() + 1) * spacing.y,
+            (grid.sizeZ() + 1) * spacing.z);
+    return 1.01 * grid.gridMmToWorld().distortion() * far.length();
+  }
+
+  /** Returns the error of the place of a voxel in the world, mm; 0 for the tool. */
+  double distortionMm() {
+    return distortionMm;
+  }
+
+  /** Returns what {@link #reachMm} leaves out: the edges of a grown cell, and the distortion. */
+  double marginMm() {
+    return body.grid().spacingMm().length() + distortionMm;
   }
 
   /** Whether the body can move. */
@@ -129,6 +163,24 @@ final class Mover {
     }
   }
 
+  /** Lets a broad phase follow all motions. */
+  void setBroadPhase(MoverBroadPhase newBroadPhase, int ownIndex) {
+    broadPhase = newBroadPhase;
+    index = ownIndex;
+  }
+
+  /** Returns a number that changes with each change of the committed pose. */
+  long version() {
+    return version;
+  }
+
+  private void moved() {
+    version++;
+    if (broadPhase != null) {
+      broadPhase.refit(index);
+    }
+  }
+
   /** Makes the proposed pose the committed one. */
   void commit() {
     pose.set(candidate);
@@ -136,6 +188,7 @@ final class Mover {
       body.setPose(bodyCandidate);
       motionsSeen = body.motions();
     }
+    moved();
   }
 
   /** Whether somebody else set the pose of the body since it was committed. */
@@ -151,6 +204,7 @@ final class Mover {
       reference.toReference(body.pose(), pose);
     }
     motionsSeen = body.motions();
+    moved();
   }
 
   /** The effect of edits of the bodies on a mover, the mildest first. */

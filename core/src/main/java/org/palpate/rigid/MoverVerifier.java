@@ -1,5 +1,6 @@
 package org.palpate.rigid;
 
+import org.palpate.geometry.ArcBound;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.statistics.SkipCounters;
@@ -21,15 +22,17 @@ import org.palpate.statistics.SkipCounters;
  * <p>Haptic thread only; allocates nothing.
  */
 final class MoverVerifier {
-  /** Shortens a step to its limit, against the rounding of a square root. */
-  private static final double SHORTER = 1 - 1e-9;
+  private static final int NOBODY = -1;
 
   final Mover mover;
 
+  /** Limits of the steps of the mover and of those that it carries along. */
+  final StepLimits limits;
+
   private final BodyVerifier[] pairs;
   private final ContactField[] fields;
-  private final double edgeMm;
-  private final double sagittaMm;
+  private final MoverBroadPhase broadPhase;
+  private final boolean skips;
 
   /** The distance from the reference point within which points of pairs can touch the mover, mm. */
   private final double soleReachMm;
@@ -37,27 +40,29 @@ final class MoverVerifier {
   private final boolean hasSoleVoxels;
 
   /** This, and those that it carries along. */
-  private final MoverVerifier[] group;
+  private final MoverGroup group;
 
-  /** The pose of each of the group in the frame of this one's sample points. */
-  private final Pose[] inFrame;
-
-  /** The pose that each of the group had when this one stood at {@link #joinedAt}. */
-  private final Pose[] joined;
-
-  private final Pose joinedAt = new Pose();
-  private int groupSize = 1;
-  private double largestTurn;
   private double radiusMm;
-  private double reachMm;
+
+  /** The radius of the ball around the reference point that holds the group, mm. */
+  private double boundMm;
+
   private boolean hasOwnVoxels;
 
   /** The numbers of the pairs; one that the group has twice stands here once. */
   private final int[] numbers;
 
   private int count;
+
+  /** The bits of the movers that the proposal may touch, by index. */
+  private final long[] found;
+
+  /** The numbers of the pairs that the proposal concerns. */
+  private final int[] proposed;
+
+  private int proposedCount;
+  private long tested;
   private final LegHits within = new LegHits();
-  private final Pose carried = new Pose();
   private final ArcBound pointsTurn = new ArcBound();
   private final ArcBound bodyTurns = new ArcBound();
   private final Vec3 centre = new Vec3();
@@ -67,23 +72,28 @@ final class MoverVerifier {
    *
    * @param pairs by the index of the other mover; null where the two never move against each other
    * @param fields the surface of each pair
-   * @param edgeMm the shortest voxel edge of the scene
+   * @param broadPhase of the scene
+   * @param limits of steps; this sets them
+   * @param skips whether to leave out pairs that the broad phase does not find; answers are the
+   *     same
    */
-  MoverVerifier(Mover mover, BodyVerifier[] pairs, ContactField[] fields, double edgeMm) {
+  MoverVerifier(
+      Mover mover,
+      BodyVerifier[] pairs,
+      ContactField[] fields,
+      MoverBroadPhase broadPhase,
+      StepLimits limits,
+      boolean skips) {
     this.mover = mover;
     this.pairs = pairs;
     this.fields = fields;
-    this.edgeMm = edgeMm;
-    group = new MoverVerifier[pairs.length];
+    this.broadPhase = broadPhase;
+    this.limits = limits;
+    this.skips = skips;
+    found = new long[(pairs.length + 63) / 64];
+    proposed = new int[pairs.length * pairs.length];
+    group = new MoverGroup(this, pairs.length);
     numbers = new int[pairs.length * pairs.length];
-    inFrame = new Pose[pairs.length];
-    joined = new Pose[pairs.length];
-    for (int m = 0; m < pairs.length; m++) {
-      inFrame[m] = new Pose();
-      joined[m] = new Pose();
-    }
-    group[0] = this;
-    sagittaMm = StepLimits.SAGITTA_EDGES * edgeMm;
     double growthMm = 0;
     boolean voxels = false;
     for (BodyVerifier pair : pairs) {
@@ -99,38 +109,35 @@ final class MoverVerifier {
 
   /** Carries another mover along from now on, where it is. It must move alone so far. */
   void carry(MoverVerifier other) {
-    assert other.mover.carrier == other.mover && other.groupSize == 1 : "moves with others already";
-    joinedAt.set(pose());
-    group[groupSize] = other;
-    other.mover.carrier = mover;
-    ReferencePose.relative(pose(), other.pose(), inFrame[groupSize++]);
-    for (int m = 1; m < groupSize; m++) {
-      joined[m].set(group[m].pose()); // those that joined before may have moved since
-    }
+    group.add(other);
     updateGroup();
   }
 
   /** Carries no other along from now on; all stay where they are. */
   void carryNone() {
-    while (groupSize > 1) {
-      Mover other = group[--groupSize].mover;
-      other.carrier = other;
-    }
+    group.dissolve();
     updateGroup();
+  }
+
+  /** Whether this carries others along. */
+  boolean carriesOthers() {
+    return group.size() > 1;
   }
 
   /** Finds how far the group reaches from the reference point, and its pairs. */
   private void updateGroup() {
     count = 0;
+    proposedCount = 0;
     radiusMm = 0;
-    reachMm = 0;
+    boundMm = 0;
+    double reachMm = 0;
     hasOwnVoxels = false;
-    for (int m = 0; m < groupSize; m++) {
-      MoverVerifier each = group[m];
-      pose().inverseTransform(each.pose().translation, centre);
-      double awayMm = m == 0 ? 0 : centre.length() * (1 + 1e-9);
+    for (int m = 0; m < group.size(); m++) {
+      MoverVerifier each = group.member(m);
+      double awayMm = group.awayMm(m);
       radiusMm = Math.max(radiusMm, awayMm + each.mover.shape.radiusMm());
       reachMm = Math.max(reachMm, awayMm + each.soleReachMm);
+      boundMm = Math.max(boundMm, awayMm + each.soleBoundMm());
       hasOwnVoxels |= each.hasSoleVoxels;
       for (int n = 0; n < pairs.length; n++) {
         BodyVerifier pair = each.pairs[n];
@@ -139,7 +146,12 @@ final class MoverVerifier {
         }
       }
     }
-    largestTurn = StepLimits.largestTurn(radiusMm, edgeMm);
+    limits.set(radiusMm, reachMm, hasOwnVoxels);
+  }
+
+  private double soleBoundMm() {
+    double pointsMm = mover.shape.radiusMm() * (1 + 1e-9);
+    return hasSoleVoxels ? Math.max(pointsMm, soleReachMm + mover.marginMm()) : pointsMm;
   }
 
   /** Whether this moves along with another. */
@@ -159,12 +171,12 @@ final class MoverVerifier {
 
   /** Returns a pair by its number; null if the two never meet. */
   BodyVerifier pair(int number) {
-    return group[number / pairs.length].pairs[number % pairs.length];
+    return group.member(number / pairs.length).pairs[number % pairs.length];
   }
 
   /** Returns the surface of a pair by its number. */
   ContactField field(int number) {
-    return group[number / pairs.length].fields[number % pairs.length];
+    return group.member(number / pairs.length).fields[number % pairs.length];
   }
 
   /** Returns the index of the mover that a pair has outside the group. */
@@ -172,22 +184,13 @@ final class MoverVerifier {
     return number % pairs.length;
   }
 
-  /** Whether a mover belongs to the group. */
-  private boolean moves(Mover one) {
-    return one.carrier == mover;
-  }
-
   private boolean isWithin(BodyVerifier pair) {
-    return moves(pair.points) && moves(pair.solid);
+    return group.contains(pair.points) && group.contains(pair.solid);
   }
 
   /** Returns the number of points tested so far; see {@link BodyVerifier#tested}. */
   long tested() {
-    long sum = 0;
-    for (int n = 0; n < count; n++) {
-      sum += pair(numbers[n]).tested();
-    }
-    return sum;
+    return tested;
   }
 
   /** Adds the work that was skipped for all pairs. */
@@ -227,6 +230,7 @@ final class MoverVerifier {
   boolean place(Pose newPose, boolean fullClearance) {
     mover.setPresent(true);
     mover.propose(newPose);
+    proposedCount = 0;
     for (BodyVerifier pair : pairs) {
       if (isPresent(pair)) {
         int least = fullClearance ? pair.levels.highest : 0;
@@ -254,51 +258,73 @@ final class MoverVerifier {
   }
 
   private Pose poseOfPoints(BodyVerifier pair) {
-    return moves(pair.points) ? pair.points.candidate : pair.points.pose;
+    return group.contains(pair.points) ? pair.points.candidate : pair.points.pose;
   }
 
   private Pose poseOfVoxels(BodyVerifier pair) {
-    return moves(pair.solid) ? pair.solid.bodyCandidate() : pair.solid.bodyPose();
+    return group.contains(pair.solid) ? pair.solid.bodyCandidate() : pair.solid.bodyPose();
   }
 
   /** Applies the edits of all pairs since the last call, and returns the gravest outcome. */
   Mover.EditOutcome takeEdits() {
+    broadPhase.takeEdits();
     Mover.EditOutcome outcome = Mover.EditOutcome.NONE;
     for (BodyVerifier pair : pairs) {
-      Mover.EditOutcome ofPair = isPresent(pair) ? takeEdits(pair) : Mover.EditOutcome.NONE;
+      Mover.EditOutcome ofPair =
+          isPresent(pair) ? pair.enclosure().takeEdits() : Mover.EditOutcome.NONE;
       outcome = ofPair.compareTo(outcome) > 0 ? ofPair : outcome;
     }
     return outcome;
   }
 
-  private static Mover.EditOutcome takeEdits(BodyVerifier pair) {
-    EnclosureCheck enclosure = pair.enclosure();
-    boolean enclosedNothing = !enclosure.isPending() && pair.reducedCount() == 0;
-    Mover.EditOutcome outcome = pair.takeEdits();
-    if (outcome != Mover.EditOutcome.FREE) {
-      return outcome;
-    }
-    if (enclosedNothing && enclosure.enclosesEdited()) {
-      return Mover.EditOutcome.COLLIDING;
-    }
-    if (enclosure.isPending() || pair.reducedCount() > 0) {
-      enclosure.begin();
-    }
-    return Mover.EditOutcome.FREE;
-  }
-
   /** Proposes a motion from the committed pose to another, while the others stand still. */
   void propose(Pose proposal) {
-    mover.propose(proposal);
-    for (int m = 1; m < groupSize; m++) {
-      group[m].mover.propose(carriedPose(m, proposal));
+    propose(proposal, NOBODY);
+  }
+
+  /**
+   * Proposes a motion.
+   *
+   * @param always the index of a mover that counts as found
+   */
+  private void propose(Pose proposal, int always) {
+    group.propose(proposal);
+    find(proposal, always);
+    for (int n = 0; n < proposedCount; n++) {
+      BodyVerifier pair = pair(proposed[n]);
+      pair.propose(poseOfPoints(pair), poseOfVoxels(pair));
     }
+  }
+
+  /** Finds the pairs that a motion concerns: those that may touch or, without skips, all. */
+  private void find(Pose proposal, int always) {
+    broadPhase.find(pose().translation, proposal.translation, sweptRadiusMm(proposal), found);
+    if (always != NOBODY) {
+      found[always >> 6] |= 1L << always;
+    }
+    proposedCount = 0;
     for (int n = 0; n < count; n++) {
-      BodyVerifier pair = pair(numbers[n]);
-      if (pair.isPresent()) {
-        pair.propose(poseOfPoints(pair), poseOfVoxels(pair));
+      if ((!skips || isFound(numbers[n])) && pair(numbers[n]).isPresent()) {
+        proposed[proposedCount++] = numbers[n];
       }
     }
+  }
+
+  /** Whether the broad phase finds the other mover of a pair for the proposal. */
+  boolean isFound(int number) {
+    int other = other(number);
+    return (found[other >> 6] >>> other & 1) != 0;
+  }
+
+  /**
+   * Returns the radius of a ball about the reference point. What stays outside it while its centre
+   * moves to a proposed pose touches nothing of the group.
+   */
+  private double sweptRadiusMm(Pose proposal) {
+    double shiftMm = proposal.translation.sub(pose().translation, centre).length();
+    return hasOwnVoxels
+        ? ArcBound.sweptRadiusMm(boundMm, shiftMm, pose().rotation, proposal.rotation)
+        : boundMm;
   }
 
   /** Whether a device takes announcements; see {@link #announce}. */
@@ -316,16 +342,9 @@ final class MoverVerifier {
    * @param first whether to forget those that were announced before
    */
   void announce(boolean first) {
-    for (int n = 0; n < count; n++) {
-      pair(numbers[n]).announce(first);
+    for (int n = 0; n < proposedCount; n++) {
+      pair(proposed[n]).announce(first);
     }
-  }
-
-  /** Returns the pose of one of the group if this one has a pose. */
-  private Pose carriedPose(int member, Pose own) {
-    return own.sameBits(joinedAt)
-        ? joined[member]
-        : ReferencePose.glued(own, inFrame[member], carried);
   }
 
   /**
@@ -333,29 +352,9 @@ final class MoverVerifier {
    * pair of the two sees both. Neither carries others.
    */
   void proposeWith(int other, Pose proposal) {
-    propose(proposal);
+    propose(proposal, other);
     BodyVerifier pair = pairs[other];
     pair.propose(pair.points.candidate, pair.solid.bodyCandidate());
-  }
-
-  /**
-   * Whether chords cannot stand for the arcs of a step.
-   *
-   * @param shiftMm the motion of the reference point
-   */
-  boolean hasLargeArcs(double shiftMm, double turnRad) {
-    return turnRad > largestTurn || (hasOwnVoxels && ownArcMm(shiftMm, turnRad) > sagittaMm);
-  }
-
-  /** Returns the largest part of a step, at most 1, whose chords can stand for its arcs. */
-  double largestPart(double shiftMm, double turnRad) {
-    double part = turnRad > largestTurn ? largestTurn / turnRad : 1;
-    double arcMm = hasOwnVoxels ? ownArcMm(shiftMm, turnRad) : 0;
-    return arcMm > sagittaMm ? Math.min(part, SHORTER * Math.sqrt(sagittaMm / arcMm)) : part;
-  }
-
-  private double ownArcMm(double shiftMm, double turnRad) {
-    return ArcBound.ofTurningBody(shiftMm, turnRad, reachMm + shiftMm);
   }
 
   /**
@@ -367,15 +366,14 @@ final class MoverVerifier {
    * @param turnRad the larger of both rotations
    */
   boolean keepsChordsWith(int other, double shiftMm, double otherShiftMm, double turnRad) {
-    if (groupSize > 1) {
+    if (carriesOthers()) {
       return false;
     }
     BodyVerifier pair = pairs[other];
     double pointsMm = pair.points.shape.radiusMm();
     double shiftsMm = shiftMm + otherShiftMm + turnRad * pointsMm;
     double farMm = pair.solid.reachMm + pair.levels.growthMm() + shiftsMm;
-    double arcMm = ArcBound.ofTurningBody(shiftsMm, turnRad, farMm + pointsMm);
-    return arcMm <= sagittaMm;
+    return limits.keepsChords(ArcBound.ofTurningBody(shiftsMm, turnRad, farMm + pointsMm));
   }
 
   /**
@@ -386,19 +384,17 @@ final class MoverVerifier {
    */
   boolean isFree(double shiftMm, double turnRad, boolean firstOnly, LegHits hits) {
     boolean free = true;
-    for (int n = 0; n < count; n++) {
-      BodyVerifier pair = pair(numbers[n]);
-      if (!pair.isPresent()) {
-        continue;
-      }
+    for (int n = 0; n < proposedCount; n++) {
+      int number = proposed[n];
+      BodyVerifier pair = pair(number);
       if (isWithin(pair)) {
         within.clear();
-        if (!pair.isFree(null, true, within)) {
+        if (!isFree(number, null, true, within)) {
           return false; // Rounding alone moves the two against each other: no contact could help.
         }
       } else {
-        hits.setBody(numbers[n]);
-        free &= pair.isFree(arcs(pair, shiftMm, turnRad), firstOnly, hits);
+        hits.setBody(number);
+        free &= isFree(number, arcs(pair, shiftMm, turnRad), firstOnly, hits);
         if (!free && (firstOnly || hits.isFull() || turnRad != 0)) {
           return false;
         }
@@ -408,14 +404,27 @@ final class MoverVerifier {
   }
 
   /**
+   * Whether no leg of a pair touches a solid. A pair that is not found is verified too if nothing
+   * is skipped. Its work does not count, and its arcs are known to be free.
+   */
+  private boolean isFree(int number, ArcBound arcs, boolean firstOnly, LegHits hits) {
+    BodyVerifier pair = pair(number);
+    boolean counts = isFound(number);
+    long before = pair.tested();
+    boolean free = pair.isFree(counts ? arcs : null, firstOnly, hits);
+    tested += counts ? pair.tested() - before : 0;
+    return free;
+  }
+
+  /**
    * Whether no leg of the proposal touches a solid in any pair but the one with another mover. This
    * one carries no others.
    */
   boolean isFreeOfAllBut(int other, LegHits hits) {
-    for (int n = 0; n < pairs.length; n++) {
-      if (n != other && isPresent(pairs[n])) {
-        hits.setBody(n);
-        if (!pairs[n].isFree(null, true, hits)) {
+    for (int n = 0; n < proposedCount; n++) {
+      if (proposed[n] != other) {
+        hits.setBody(proposed[n]);
+        if (!isFree(proposed[n], null, true, hits)) {
           return false;
         }
       }
@@ -428,7 +437,7 @@ final class MoverVerifier {
       return null;
     }
     pair.points.pose.inverseTransform(mover.pose.translation, centre);
-    if (moves(pair.points)) {
+    if (group.contains(pair.points)) {
       pointsTurn.setPointsTurn(turnRad, centre);
       return pointsTurn;
     }
@@ -439,19 +448,15 @@ final class MoverVerifier {
   /** Whether the leg of one point of a pair touches no solid. */
   boolean isPointFree(int number, int point, LegHits hits) {
     hits.setBody(number);
-    return pair(number).isPointFree(point, hits);
+    tested++;
+    return (skips && !isFound(number)) || pair(number).isPointFree(point, hits);
   }
 
   /** Commits the proposal. {@link #isFree} must have found it free. */
   void commit() {
-    for (int m = 0; m < groupSize; m++) {
-      group[m].mover.commit();
-    }
-    for (int n = 0; n < count; n++) {
-      BodyVerifier pair = pair(numbers[n]);
-      if (pair.isPresent()) {
-        pair.commit();
-      }
+    group.commit();
+    for (int n = 0; n < proposedCount; n++) {
+      pair(proposed[n]).commit();
     }
   }
 
@@ -489,6 +494,6 @@ final class MoverVerifier {
    * the surface if the group carries the points, else -1.
    */
   int pushSign(int number) {
-    return moves(pair(number).points) ? 1 : -1;
+    return group.contains(pair(number).points) ? 1 : -1;
   }
 }

@@ -25,15 +25,19 @@ public final class RigidScene {
   private final Mover[] movers;
   private final MoverVerifier[] verifiers;
   private final BodyVerifier[][] pairs;
+  private final MoverBroadPhase broadPhase;
   private final BodyMover bodyMover;
   private final Map<LevelsKey, ClearanceLevels> levels = new HashMap<>();
   private final ClearanceLevels[] allLevels;
   private final Map<ClearanceLevels, ContactField> fields = new HashMap<>();
 
-  /** All pairs, in the order in which their enclosure is examined. */
+  /** All pairs of which one may enclose the other, in the order in which they are examined. */
   private final List<BodyVerifier> examined = new ArrayList<>();
 
   private int nextExamined;
+
+  /** The number of edits of all bodies that {@link #takeEdits} has seen. */
+  private long editsSeen;
 
   /** Two bodies overlap of which one can move, so that no motion could be verified. */
   public static final class BodiesOverlapException extends IllegalArgumentException {
@@ -69,13 +73,25 @@ public final class RigidScene {
     pairs = new BodyVerifier[count + 1][count + 1];
     addPairs(shapes);
     allLevels = levels.values().toArray(new ClearanceLevels[0]);
+    double edgeMm = bodies.shortestEdgeMm();
+    broadPhase = new MoverBroadPhase(movers, growthVoxels(), edgeMm, settings.skips());
     verifiers = new MoverVerifier[count + 1];
     for (int n = 0; n <= count; n++) {
       if (movers[n].canMove()) {
-        verifiers[n] = new MoverVerifier(movers[n], pairs[n], fields(n), bodies.shortestEdgeMm());
+        StepLimits limits = new StepLimits(edgeMm);
+        verifiers[n] =
+            new MoverVerifier(movers[n], pairs[n], fields(n), broadPhase, limits, settings.skips());
       }
     }
     bodyMover = new BodyMover(this);
+    editsSeen = bodies.edits();
+  }
+
+  /** Returns the number of voxels by which grown solids of each body reach beyond a voxel. */
+  private int[] growthVoxels() {
+    int[] most = new int[bodies.count()];
+    levels.forEach((key, grown) -> most[key.body] = Math.max(most[key.body], grown.reachVoxels()));
+    return most;
   }
 
   private void addPairs(MovableShapes shapes) {
@@ -110,7 +126,9 @@ public final class RigidScene {
     BodyVerifier pair = new BodyVerifier(movers[points], movers[solid], grown, settings.skips());
     pairs[points][solid] = pair;
     pairs[solid][points] = pair;
-    examined.add(pair);
+    if (pair.enclosure().canEnclose()) {
+      examined.add(pair);
+    }
   }
 
   private static void requireApart(BodyVerifier pair) {
@@ -213,6 +231,11 @@ public final class RigidScene {
    * a pair, both bodies stay where they are, because every leg of that point would touch it.
    */
   void takeEdits() {
+    long edits = bodies.edits();
+    if (edits == editsSeen) {
+      return;
+    }
+    editsSeen = edits;
     for (int a = 0; a < bodies.count(); a++) {
       for (int b = 0; b < a; b++) {
         if (pairs[a][b] != null && pairs[a][b].takeEdits() == EditOutcome.FREE) {
@@ -227,6 +250,9 @@ public final class RigidScene {
    * check never ends, because its solid stays enclosed, does not stop the checks of the others.
    */
   void continueEnclosureCheck() {
+    if (!isCheckPending()) {
+      return;
+    }
     for (int n = 0; n < examined.size(); n++) {
       BodyVerifier pair = examined.get(nextExamined);
       nextExamined = nextExamined + 1 < examined.size() ? nextExamined + 1 : 0;
@@ -235,5 +261,14 @@ public final class RigidScene {
         return;
       }
     }
+  }
+
+  private boolean isCheckPending() {
+    for (Mover mover : movers) {
+      if (mover.pendingChecks > 0) {
+        return true;
+      }
+    }
+    return false;
   }
 }

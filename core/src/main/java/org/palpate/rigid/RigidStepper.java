@@ -132,7 +132,7 @@ final class RigidStepper {
       proposeTwist(fraction);
       double shifted = displacement.length() * fraction;
       double turned = turn.length() * fraction;
-      boolean isLarge = verifier.hasLargeArcs(shifted, turned);
+      boolean isLarge = verifier.limits.hasLargeArcs(shifted, turned);
       if (isFree(shifted, isLarge ? turned : 0, true)) {
         commit();
         return true;
@@ -381,7 +381,7 @@ final class RigidStepper {
     tool.metric().toTwist(verifier.pose(), contacts.problem.y, displacement, turn);
     double path = twistPathMm();
     double longest = Math.min(StepLimits.STEP_EDGES * edgeMm, Math.min(2 * mostMm, pathLeftMm));
-    double fraction = verifier.largestPart(displacement.length(), turn.length());
+    double fraction = verifier.limits.largestPart(displacement.length(), turn.length());
     fraction = Math.min(fraction, path > longest ? longest / path : 1);
     if (path * fraction < shortestPathMm) {
       return 0;

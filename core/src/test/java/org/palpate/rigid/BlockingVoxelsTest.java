@@ -94,7 +94,7 @@ class BlockingVoxelsTest {
     List<int[]> touched = new ArrayList<>();
     for (int point = 0; point < tool.count(); point++) {
       int level = verifier.level(point);
-      AffineMap map = verifier.levels.toCells(verifier.from, level, new AffineMap());
+      AffineMap map = verifier.levels.toCells(verifier.from(), level, new AffineMap());
       Vec3 p = map.transform(tool.point(point, new Vec3()), new Vec3());
       Ray rest = new Ray().from(p.x, p.y, p.z).to(p.x, p.y, p.z);
       for (int c = (int) Math.floor(p.z) - 1; c <= p.z; c++) {
@@ -211,7 +211,7 @@ class BlockingVoxelsTest {
     ClearanceLevels levels = verifier.levels;
     int level = verifier.level(index);
     AffineMap cells = new AffineMap();
-    Vec3 from = levels.toCells(verifier.from, level, cells).transform(point, new Vec3());
+    Vec3 from = levels.toCells(verifier.from(), level, cells).transform(point, new Vec3());
     AffineMap to = levels.body.toolToGrid(next, new AffineMap());
     Vec3 end = levels.toCells(to, level, cells).transform(point, new Vec3());
     Ray leg = new Ray().from(from.x, from.y, from.z).to(end.x, end.y, end.z);

@@ -1,4 +1,4 @@
-package org.palpate.rigid;
+package org.palpate.collision;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;

@@ -1,6 +1,4 @@
-package org.palpate.rigid;
-
-import org.palpate.geometry.Vec3;
+package org.palpate.geometry;
 
 /**
  * Bounds how far a point leaves the chord of its motion, as a body sees it. If a step is so large
@@ -10,7 +8,7 @@ import org.palpate.geometry.Vec3;
  * the body with the voxels turns, the body sees each point move about the body's reference point,
  * which itself moves; see docs/guarantee.md. Haptic thread only.
  */
-final class ArcBound {
+public final class ArcBound {
   private double perMm;
   private double constantMm;
   private double centreX;
@@ -22,7 +20,7 @@ final class ArcBound {
    *
    * @param centre the point about which they turn, in their frame, mm
    */
-  void setPointsTurn(double turnRad, Vec3 centre) {
+  public void setPointsTurn(double turnRad, Vec3 centre) {
     perMm = 1 - Math.cos(Math.min(Math.PI, turnRad) / 2);
     constantMm = 0;
     setCentre(centre);
@@ -33,7 +31,7 @@ final class ArcBound {
    *
    * @param centre the reference point before the motion, in the frame of the points, mm
    */
-  void setBodyTurns(double shiftMm, double turnRad, Vec3 centre) {
+  public void setBodyTurns(double shiftMm, double turnRad, Vec3 centre) {
     perMm = turnRad * turnRad / 8;
     constantMm = ofTurningBody(shiftMm, turnRad, shiftMm);
     setCentre(centre);
@@ -52,12 +50,36 @@ final class ArcBound {
    * @param shiftMm the motion of the body's reference point
    * @param distanceMm the largest distance of the point from that reference point
    */
-  static double ofTurningBody(double shiftMm, double turnRad, double distanceMm) {
+  public static double ofTurningBody(double shiftMm, double turnRad, double distanceMm) {
     return (2 * turnRad * shiftMm + turnRad * turnRad * distanceMm) / 8;
   }
 
+  /**
+   * Returns a radius about the reference point of a body that turns and shifts. A point that stays
+   * farther from the moving reference point touches nothing of the body, neither on its arc nor on
+   * its chord in the frame of the body.
+   *
+   * <p>Let r be the radius of the body, s the shift, a the turn, and d the least distance of the
+   * point. By {@link #ofTurningBody} the chord leaves the arc by at most (2 a s + a^2 (d + s))/8.
+   * So it stays outside of r if d (1 - a^2/8) is larger than r + (2 a + a^2) s/8.
+   *
+   * @param radiusMm the radius of the body
+   * @param shiftMm the motion of the reference point
+   */
+  public static double sweptRadiusMm(
+      double radiusMm, double shiftMm, Quaternion from, Quaternion to) {
+    double cosine = Math.abs(from.dot(to));
+    // The square of an arc cosine c is at most pi^2/4 (1 - c); the rest covers rounding.
+    double square = Math.PI * Math.PI * Math.max(0, 1 - cosine) + 1e-14;
+    if (square > 1) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double turnRad = Math.sqrt(square);
+    return (radiusMm + (2 * turnRad + square) * shiftMm / 8) / (1 - square / 8);
+  }
+
   /** Returns the largest deviation of a point of a sphere in the frame of the points, mm. */
-  double deviationMm(double x, double y, double z, double radiusMm) {
+  public double deviationMm(double x, double y, double z, double radiusMm) {
     double a = x - centreX;
     double b = y - centreY;
     double c = z - centreZ;

@@ -1,9 +1,9 @@
-package org.palpate.rigid;
+package org.palpate.collision;
 
 import org.palpate.volume.BitCube;
 
 /** Tests quickly, by windows, whether the voxels around a point or a short segment are empty. */
-final class EmptyBox {
+public final class EmptyBox {
   private static final long[] COLUMNS = {
     0, 0x1111_1111_1111_1111L, 0x3333_3333_3333_3333L, 0x7777_7777_7777_7777L, -1
   };
@@ -29,7 +29,7 @@ final class EmptyBox {
    * Returns half the edge of an empty cube around a point, voxels: 0, or from 0.5 to 4 as far as
    * the windows around the point prove.
    */
-  static double around(BitCube bits, double x, double y, double z) {
+  public static double around(BitCube bits, double x, double y, double z) {
     if (!isNear(x, y, z)) {
       return 0;
     }
@@ -63,7 +63,7 @@ final class EmptyBox {
   }
 
   /** Whether the bounding box of a segment is short and touches no closed solid voxel. */
-  static boolean holds(
+  public static boolean holds(
       BitCube bits, double x0, double y0, double z0, double x1, double y1, double z1) {
     if (!isNear(x0, y0, z0) || !isNear(x1, y1, z1)) {
       return false;
