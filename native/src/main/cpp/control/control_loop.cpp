@@ -42,7 +42,7 @@ constexpr int kWindowSleeps = 200;
 
 // As in RestBudget in Java: the sleep over the kernel's rest, the least debt that is worth a sleep,
 // and the debt that is paid even if a frame is late then.
-constexpr double kRestMargin = 1.2;
+constexpr double kRestMargin = 1.3;
 constexpr double kLeastOwedNanos = 50000;
 constexpr double kMostWaitingNanos = 2000000;
 

@@ -115,8 +115,9 @@ public final class SmoothSolver implements ProxySolver {
 
   /**
    * Returns the work of the last frame: evaluations of the field, segments that were cast, and
-   * steps of the voxel solver. Words of voxels that were read are not included; a {@link
-   * org.palpate.volume.BitCube} can count them.
+   * steps of the voxel solver. Not included are columns that were interpolated between thick
+   * slices, and words of voxels that were read; a {@link org.palpate.volume.BitCube} can count the
+   * words.
    */
   @Override
   public int steps() {
