@@ -21,6 +21,9 @@ final class DeformationMap {
   private DeformationField field;
   private final double[] change = new double[3];
 
+  /** The part of the newer field where the field is blended with the one before. */
+  private double part = 1;
+
   /** The tetrahedron in use: its cell and the order of its axes. */
   private final int[] cell = new int[3];
 
@@ -52,7 +55,13 @@ final class DeformationMap {
   /** Uses another field, with the force for which it was solved. */
   void use(DeformationField next) {
     field = next;
+    part = 1;
     Arrays.fill(change, 0);
+  }
+
+  /** Blends the field with the one before as it belongs to a contact at a material point. */
+  void slideTo(Vec3 material) {
+    part = field.part(material, layout);
   }
 
   /** Returns the field in use. */
@@ -83,7 +92,7 @@ final class DeformationMap {
 
   /** Returns the displacement of a node along an axis, cells. */
   double displacement(int node, int axis) {
-    return field.displacement(node, axis, change);
+    return field.displacement(node, axis, change, part);
   }
 
   /** Returns the present position of a node along an axis, in cells from the lattice's origin. */
@@ -341,7 +350,11 @@ final class DeformationMap {
     if (select(material)) {
       weigh();
       for (int n = 0; n < 4; n++) {
-        dest.add(weights[n], field.values, DeformationField.STRIDE * nodes[n], layout);
+        int from = DeformationField.STRIDE * nodes[n];
+        dest.add(part * weights[n], field.values, from, layout);
+        if (part < 1) {
+          dest.add((1 - part) * weights[n], field.earlier, from, layout);
+        }
       }
     }
   }

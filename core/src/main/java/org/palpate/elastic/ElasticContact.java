@@ -38,6 +38,10 @@ public final class ElasticContact {
   private final LocalAnswer answer = new LocalAnswer();
   private final ElasticLoad load = new ElasticLoad();
   private final EnergyTank tank = new EnergyTank();
+  private final SlideForecast forecast;
+
+  /** The point after the last frame, material coordinates. */
+  private final Vec3 position = new Vec3();
 
   /** The shift of the device, grid coordinates. */
   private final Vec3 shift = new Vec3();
@@ -80,6 +84,7 @@ public final class ElasticContact {
     this.loads = loads;
     this.changed = changed;
     map = new DeformationMap(lattice.layout(), fields.front());
+    forecast = new SlideForecast(lattice.layout());
   }
 
   /** Returns the map in use; for checks of the field after a frame. */
@@ -94,7 +99,9 @@ public final class ElasticContact {
    * @param sampleNanos the usual time between two samples; a longer one counts as a millisecond
    */
   public ElasticContact paced(long sampleNanos) {
-    keptShift = 1 - 1.0 / frames(DECAY_FRAMES, sampleNanos / NANOS_PER_MS);
+    double frameMs = sampleNanos / NANOS_PER_MS;
+    keptShift = 1 - 1.0 / frames(DECAY_FRAMES, frameMs);
+    forecast.paced(frameMs);
     return this;
   }
 
@@ -115,6 +122,11 @@ public final class ElasticContact {
   /** Returns the load that the last frame left; it belongs to the haptic thread. */
   ElasticLoad load() {
     return load;
+  }
+
+  /** Returns the point after the last frame, material coordinates. */
+  Vec3 position() {
+    return position;
   }
 
   /** Returns the device position of the last frame in material coordinates. */
@@ -153,6 +165,7 @@ public final class ElasticContact {
     map.force(forceNewton);
     fields.take(); // From here on the updates may write the field that was in use.
     map.use(fields.front());
+    map.slideTo(point.position);
     listener.used(fields.front().update);
     setForce(forceNewton.x, forceNewton.y, forceNewton.z);
     if (pressed) {
@@ -181,6 +194,7 @@ public final class ElasticContact {
   public void restart() {
     shift.set(0, 0, 0);
     pressed = false;
+    forecast.restart();
     tank.restart();
   }
 
@@ -199,6 +213,8 @@ public final class ElasticContact {
     solver.follow(scene, aim, point);
     point.limitsForceRate = true; // An update may turn the surface under a point of any solver.
     pressed = point.contact || !point.position.sameBits(aim);
+    position.set(point.position);
+    map.slideTo(position);
     if (pressed) {
       balance(point, newtonPerMm);
     } else {
@@ -207,7 +223,7 @@ public final class ElasticContact {
     map.forward(point.position, present);
     couple(point);
     clippedFrames += clipped ? 1 : 0;
-    load.point.set(point.position);
+    forecast.follow(position, pressed, load.point);
     map.force(load.forceNewton);
     loads.write(load);
   }

@@ -32,6 +32,15 @@ final class FieldUpdater {
 
   private static final double REACH_PER_LOAD = 2.5;
 
+  /** A slide between two updates that is shorter is not blended, cells. */
+  private static final double LEAST_SLIDE_CELLS = 0.02;
+
+  /** Nor is a longer one. */
+  private static final double LONGEST_SLIDE_CELLS = 1;
+
+  /** The proof looks at a blended field at distances of this, cells. */
+  private static final double SLIDE_INTERVAL_CELLS = 0.25;
+
   /** A displacement whose length over all nodes is shorter counts as none, mm. */
   private static final double REST_MM = 1e-3;
 
@@ -57,8 +66,15 @@ final class FieldUpdater {
   private final float[] residual;
   private final double[] force = new double[3];
   private final double[] lastForce = new double[3];
+
+  /** The last field that was handed over. */
+  private final DeformationField last;
+
   private final UpdateCounters counters = new UpdateCounters();
   private UpdateListener listener = UpdateListener.NONE;
+
+  /** The place of the contact, material coordinates. */
+  private final Vec3 place = new Vec3();
 
   /** Receives each field too; null if nobody else reads them. */
   private PublishedShape shape;
@@ -81,6 +97,7 @@ final class FieldUpdater {
     guard = new FoldGuard(lattice.cells());
     stiffening = new CrushStiffening(lattice);
     proof = new RoomProof(lattice.cells());
+    last = new DeformationField(lattice.layout());
     int size = 3 * lattice.layout().nodeCount();
     displacement = new float[size];
     proved = new float[size];
@@ -128,6 +145,7 @@ final class FieldUpdater {
   boolean compute(ElasticLoad next) {
     lattice.holdFreeParts();
     patch.place(next.point);
+    place.set(next.point);
     boolean atRest = isAtRest(next);
     if (atRest) {
       counters.countSkipped();
@@ -227,9 +245,15 @@ final class FieldUpdater {
     field.update = begun;
     write(field);
     double size = Math.sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
+    field.place.set(place);
+    field.slideIntervals = size > 0 ? slideIntervals(place, last.place) : 0;
+    if (field.slideIntervals > 0) {
+      field.follow(last);
+    }
     beginRoom(field.room, size);
     if (proof.prove(field, REACH_NEWTON + REACH_PER_LOAD * size, -size)) {
       System.arraycopy(displacement, 0, proved, 0, proved.length);
+      last.set(field);
       if (shape != null) {
         shape.offer(field); // Before the haptic thread owns the field.
       }
@@ -241,6 +265,19 @@ final class FieldUpdater {
       }
       counters.countRefused();
     }
+  }
+
+  /** Returns the number of intervals in which to prove a slide, or 0 for no blend. */
+  private int slideIntervals(Vec3 to, Vec3 from) {
+    double squared = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double voxels = to.get(axis) - from.get(axis);
+      double cells = voxels / lattice.layout().voxelsPerCell(axis);
+      squared += cells * cells;
+    }
+    double cells = Math.sqrt(squared);
+    boolean blended = cells >= LEAST_SLIDE_CELLS && cells <= LONGEST_SLIDE_CELLS;
+    return blended ? (int) Math.ceil(cells / SLIDE_INTERVAL_CELLS) : 0;
   }
 
   private void write(DeformationField field) {

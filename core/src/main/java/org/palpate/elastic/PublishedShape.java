@@ -37,7 +37,7 @@ public final class PublishedShape {
 
   /** Sets what the last frame left; the publication of the frame must follow. Haptic thread. */
   public void setFrame() {
-    point.set(contact.load().point);
+    point.set(contact.position());
     forceNewton.set(contact.load().forceNewton);
   }
 
@@ -48,7 +48,7 @@ public final class PublishedShape {
   }
 
   /**
-   * Takes the newest field, and the force of the frame that the reader took last.
+   * Takes the newest field, and point and force of the frame that the reader took last.
    *
    * @return whether the shape differs from the last one
    */
@@ -57,6 +57,7 @@ public final class PublishedShape {
     if (differs) {
       fields.take();
       map.use(fields.front());
+      map.slideTo(point.read(scratch));
       forceNewton.read(scratch);
       map.setForce(scratch.x, scratch.y, scratch.z);
     }

@@ -56,6 +56,10 @@ final class RoomProof {
 
   private final double[] corners = new double[KuhnTetrahedra.ENTRIES];
   private final double[] slopes = new double[KuhnTetrahedra.ENTRIES];
+
+  /** The change of the corners from the start of the slide to its end. */
+  private final double[] slides = new double[KuhnTetrahedra.ENTRIES];
+
   private final double[] none = new double[3];
   private final double[] change = new double[3];
 
@@ -64,6 +68,7 @@ final class RoomProof {
 
   private final double[] along2 = new double[64];
   private final double[] across2 = new double[64];
+  private final double[] slide2 = new double[64];
 
   /** The cone that is being measured, N. */
   private double along;
@@ -88,17 +93,31 @@ final class RoomProof {
 
   /**
    * Proves a field and writes its {@link DeformationField#room} along the axis that the room has.
+   * If the field cannot be proved for the whole slide, it is not blended.
    *
    * @param reachNewton the longest change of the force to prove; shorter if the answers are large
    * @param lowestNewton the lowest place of a cone along the axis, not positive
    * @return whether the field without a change is proved; if not, it must not be used
    */
   boolean prove(DeformationField field, double reachNewton, double lowestNewton) {
+    if (field.slideIntervals > 0) {
+      if (findNear(field, reachNewton) && addCone(field, 0) > 0) {
+        addCones(field, lowestNewton);
+        return true;
+      }
+      field.slideIntervals = 0;
+    }
     if (!findNear(field, reachNewton)) {
       return false;
     }
-    ForceRoom room = field.room;
     addCone(field, 0);
+    addCones(field, lowestNewton);
+    return true;
+  }
+
+  /** Adds the cones above and below the first one, which was measured last. */
+  private void addCones(DeformationField field, double lowestNewton) {
+    ForceRoom room = field.room;
     double first = along;
     double place = NEXT_CONE * first;
     for (int n = 0; n < MOST_UPWARD && place < reach; n++) {
@@ -116,7 +135,6 @@ final class RoomProof {
       }
       place = Math.max(lowestNewton, place - NEXT_CONE * size);
     }
-    return true;
   }
 
   /** Adds the cone around a place of the axis, if it is proved, and returns its size along it. */
@@ -169,28 +187,55 @@ final class RoomProof {
    * Checks every cell without a change of the force, and lists those that could fold within reach.
    * Shortens the reach if the answers are large.
    *
-   * @return whether every cell is proved
+   * @return whether every cell is proved where the proof looks at the slide
    */
   private boolean findNear(DeformationField field, double reachNewton) {
     nearCount = 0;
     reach = reachNewton;
     for (int cell = 0; cell < cells.count(); cell++) {
       int first = cells.firstNode(cell);
-      readCorners(field, first, none);
-      double determinant = KuhnTetrahedra.leastDeterminant(corners);
-      double squared = mostSquared(corners);
+      double room = leastRoom(field, first);
       double answers = mostSquaredAnswers(field, first);
-      if (!(determinant >= LEAST_DETERMINANT && squared <= MOST_SQUARED_LENGTH / 16)
-          || !Double.isFinite(answers)) {
+      if (Double.isNaN(room) || !Double.isFinite(answers)) {
         return false;
       }
       reach = Math.min(reach, MOST_CHANGE_CELLS / Math.sqrt(answers));
-      double least = USED_PART * 2 * determinant / squared / Math.sqrt(answers);
+      double least = room / Math.sqrt(answers);
       if (!(least >= reach)) {
         addNear(cell, least);
       }
     }
     return true;
+  }
+
+  /**
+   * Returns how much a cell may change on the whole slide, without a change of the force; not
+   * positive if this bound is too coarse to tell, and NaN if the cell is not proved.
+   */
+  private double leastRoom(DeformationField field, int firstNode) {
+    readSlides(field, firstNode, none);
+    double used = halfInterval(field) * Math.sqrt(mostSquared(slides));
+    double least = Double.POSITIVE_INFINITY;
+    for (int n = 0; n <= field.slideIntervals; n++) {
+      readCorners(field, firstNode, none, part(field, n));
+      double determinant = KuhnTetrahedra.leastDeterminant(corners);
+      double squared = mostSquared(corners);
+      if (!(determinant >= LEAST_DETERMINANT && squared <= MOST_SQUARED_LENGTH / 16)) {
+        return Double.NaN;
+      }
+      least = Math.min(least, USED_PART * 2 * determinant / squared - used);
+    }
+    return least;
+  }
+
+  /** Returns the part of the newer field at an end of an interval of the slide. */
+  private static double part(DeformationField field, int n) {
+    return field.slideIntervals == 0 ? 1 : (double) n / field.slideIntervals;
+  }
+
+  /** Returns the longest distance on the slide from a place at which the proof looks. */
+  private static double halfInterval(DeformationField field) {
+    return field.slideIntervals == 0 ? 0 : 0.5 / field.slideIntervals;
   }
 
   /** Adds a cell to the list, in front if its cone may be the shortest. */
@@ -207,9 +252,16 @@ final class RoomProof {
   }
 
   private double mostSquaredAnswers(DeformationField field, int firstNode) {
+    double most = mostSquaredAnswers(field.values, firstNode);
+    return field.slideIntervals == 0
+        ? most
+        : Math.max(most, mostSquaredAnswers(field.earlier, firstNode));
+  }
+
+  private double mostSquaredAnswers(float[] values, int firstNode) {
     double sum = 0;
     for (int axis = 0; axis < 3; axis++) {
-      readSlopes(field, firstNode, axis);
+      readSlopes(values, firstNode, axis);
       sum += mostSquared(slopes);
     }
     return sum;
@@ -240,23 +292,38 @@ final class RoomProof {
     return x * x + y * y + z * z;
   }
 
-  private void readCorners(DeformationField field, int firstNode, double[] changeNewton) {
+  private void readCorners(
+      DeformationField field, int firstNode, double[] changeNewton, double part) {
     for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
       int node = firstNode + cells.layout().cornerOffset(corner);
       for (int axis = 0; axis < 3; axis++) {
         corners[3 * corner + axis] =
-            (corner >> axis & 1) + field.displacement(node, axis, changeNewton);
+            (corner >> axis & 1) + field.displacement(node, axis, changeNewton, part);
+      }
+    }
+  }
+
+  private void readSlides(DeformationField field, int firstNode, double[] changeNewton) {
+    if (field.slideIntervals == 0) {
+      return;
+    }
+    for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
+      int node = firstNode + cells.layout().cornerOffset(corner);
+      for (int axis = 0; axis < 3; axis++) {
+        slides[3 * corner + axis] =
+            field.displacement(node, axis, changeNewton, 1)
+                - field.displacement(node, axis, changeNewton, 0);
       }
     }
   }
 
   /** Reads the answers of the corners to a force along a unit axis. */
-  private void readSlopes(DeformationField field, int firstNode, int forceAxis) {
+  private void readSlopes(float[] values, int firstNode, int forceAxis) {
     for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
       int node = firstNode + cells.layout().cornerOffset(corner);
       int at = DeformationField.STRIDE * node + 3 + 3 * forceAxis;
       for (int axis = 0; axis < 3; axis++) {
-        slopes[3 * corner + axis] = field.values[at + axis];
+        slopes[3 * corner + axis] = values[at + axis];
       }
     }
   }
@@ -267,11 +334,16 @@ final class RoomProof {
    */
   private boolean measureCell(DeformationField field, int cell, double[] changeNewton) {
     int first = cells.firstNode(cell);
-    readCorners(field, first, changeNewton);
-    measureEdges(field, first);
+    readSlides(field, first, changeNewton);
+    measureAnswers(field, first);
     cellAlong = Double.POSITIVE_INFINITY;
     cellAcross = Double.POSITIVE_INFINITY;
-    boolean proved = measureTetrahedra();
+    boolean proved = true;
+    for (int n = 0; n <= field.slideIntervals && proved; n++) {
+      readCorners(field, first, changeNewton, part(field, n));
+      measureLengths();
+      proved = measureTetrahedra(halfInterval(field));
+    }
     if (!proved) {
       cellAlong = 0;
       cellAcross = 0;
@@ -279,42 +351,61 @@ final class RoomProof {
     return proved;
   }
 
-  private void measureEdges(DeformationField field, int firstNode) {
+  /** Measures how far each edge moves on the slide, and by unit forces along and across. */
+  private void measureAnswers(DeformationField field, int firstNode) {
     for (int n = 0; n < EDGES.length; n += 2) {
       int a = EDGES[n];
       int b = EDGES[n + 1];
       int edge = 8 * a + b;
       int from = DeformationField.STRIDE * (firstNode + cells.layout().cornerOffset(a)) + 3;
       int to = DeformationField.STRIDE * (firstNode + cells.layout().cornerOffset(b)) + 3;
-      length2[edge] = 0;
       along2[edge] = 0;
       across2[edge] = 0;
-      for (int axis = 0; axis < 3; axis++) {
-        double length = corners[3 * b + axis] - corners[3 * a + axis];
-        length2[edge] += length * length;
-        addAnswers(field, from + axis, to + axis, edge);
+      addLonger(field.values, field.room.axis(), from, to, edge);
+      if (field.slideIntervals > 0) {
+        addLonger(field.earlier, field.room.axis(), from, to, edge);
+        slide2[edge] = squaredDistance(slides, 3 * a, 3 * b);
       }
     }
   }
 
   /**
-   * Adds the squared answers of an edge along an axis, to forces along the axis of the room and
-   * across it. Those across are a cross product, in which nothing cancels.
+   * Raises the squared answers of an edge to those of a field, to forces along the axis of the room
+   * and across it. Those across are a cross product, in which nothing cancels.
    */
-  private void addAnswers(DeformationField field, int from, int to, int edge) {
-    double[] e = field.room.axis();
-    double x = (double) field.values[to] - field.values[from];
-    double y = (double) field.values[to + 3] - field.values[from + 3];
-    double z = (double) field.values[to + 6] - field.values[from + 6];
-    double slope = e[0] * x + e[1] * y + e[2] * z;
-    double crossX = e[1] * z - e[2] * y;
-    double crossY = e[2] * x - e[0] * z;
-    double crossZ = e[0] * y - e[1] * x;
-    along2[edge] += slope * slope;
-    across2[edge] += crossX * crossX + crossY * crossY + crossZ * crossZ;
+  private void addLonger(float[] values, double[] e, int from, int to, int edge) {
+    double newAlong2 = 0;
+    double newAcross2 = 0;
+    for (int axis = 0; axis < 3; axis++) {
+      double x = (double) values[to + axis] - values[from + axis];
+      double y = (double) values[to + axis + 3] - values[from + axis + 3];
+      double z = (double) values[to + axis + 6] - values[from + axis + 6];
+      double slope = e[0] * x + e[1] * y + e[2] * z;
+      double crossX = e[1] * z - e[2] * y;
+      double crossY = e[2] * x - e[0] * z;
+      double crossZ = e[0] * y - e[1] * x;
+      newAlong2 += slope * slope;
+      newAcross2 += crossX * crossX + crossY * crossY + crossZ * crossZ;
+    }
+    along2[edge] = Math.max(along2[edge], newAlong2);
+    across2[edge] = Math.max(across2[edge], newAcross2);
   }
 
-  private boolean measureTetrahedra() {
+  private void measureLengths() {
+    for (int n = 0; n < EDGES.length; n += 2) {
+      int a = EDGES[n];
+      int b = EDGES[n + 1];
+      length2[8 * a + b] = squaredDistance(corners, 3 * a, 3 * b);
+    }
+  }
+
+  /**
+   * Shortens the cone of a cell to what its tetrahedra allow.
+   *
+   * @param halfInterval the part of the slide on each side to which the cone must apply
+   * @return whether they are proved there
+   */
+  private boolean measureTetrahedra(double halfInterval) {
     for (int[] order : KuhnTetrahedra.ORDERS) {
       double determinant = KuhnTetrahedra.determinant(corners, order);
       int b = 1 << order[0];
@@ -324,6 +415,12 @@ final class RoomProof {
         return false;
       }
       double room = USED_PART * 2 * determinant / squared;
+      if (halfInterval > 0) {
+        room -= halfInterval * Math.sqrt(sum(slide2, b, c));
+      }
+      if (!(room > 0)) {
+        return false;
+      }
       cellAlong = Math.min(cellAlong, room / Math.sqrt(sum(along2, b, c)));
       cellAcross = Math.min(cellAcross, room / Math.sqrt(sum(across2, b, c)));
     }

@@ -1,6 +1,7 @@
 package org.palpate.elastic;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -76,6 +77,39 @@ class DeformationMapTest {
       Vec3 found = map.inverse(present, randomPoint(), new Vec3());
       Vec3 expected = new NaiveInverse(lattice.layout(), map).find(present);
       assertEquals(0, found.sub(expected, new Vec3()).length(), 1e-8);
+    }
+  }
+
+  /** At the earlier place the field before is in use, for any force, and between both a mixture. */
+  @Test
+  void aSlideGoesFromTheFieldBeforeToTheNewOne() {
+    DeformationField before = new DeformationField(lattice.layout());
+    DeformationMap mapBefore = new DeformationMap(lattice.layout(), before);
+    newField(0.05);
+    field.baseNewton[0] = 0.3;
+    field.place.set(4, 4, 4);
+    before.set(field);
+    newField(0.05);
+    field.baseNewton[0] = 0.1;
+    field.baseNewton[2] = -0.2;
+    field.place.set(7, 5, 4);
+    field.follow(before);
+    field.slideIntervals = 1;
+    assertTrue(proof.prove(field, 2, -1) && field.slideIntervals == 1);
+    for (int n = 0; n < 100; n++) {
+      Vec3 at = randomPoint();
+      Vec3 force = new Vec3(0.1 * random.nextDouble(), 0.1 * random.nextDouble(), -0.1);
+      mapBefore.use(before);
+      assertFalse(mapBefore.setForce(force.x, force.y, force.z));
+      Vec3 early = mapBefore.forward(at, new Vec3());
+      map.use(field);
+      assertFalse(map.setForce(force.x, force.y, force.z));
+      Vec3 late = map.forward(at, new Vec3());
+      double part = 1.4 * random.nextDouble() - 0.2;
+      map.slideTo(new Vec3(4 + 3 * part, 4 + part, 4));
+      double blended = Math.max(0, Math.min(1, part));
+      Vec3 expected = early.add(late.sub(early, late).mul(blended, late), early);
+      assertEquals(0, map.forward(at, new Vec3()).sub(expected, late).length(), 1e-6);
     }
   }
 

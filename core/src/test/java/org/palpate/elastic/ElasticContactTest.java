@@ -117,6 +117,24 @@ class ElasticContactTest {
     assertTrue(step < 0.02, "step " + step);
   }
 
+  /** A dimple that lagged behind the hand would be a slope before it. */
+  @Test
+  void aSlideAcrossAFlatFaceHoldsTheHandBackLittle() {
+    ElasticTouch touch = above(20e3, 0.5, 8, false);
+    touch.moveTo(38.3, 48.4, 50, 50);
+    touch.moveTo(38.3, 48.4, 38, 600);
+    double back = 0;
+    double up = 0;
+    for (int n = 0; n < 350; n++) {
+      touch.hand.x += 0.06;
+      touch.run();
+      back -= touch.frame.forceNewton().x;
+      up += touch.frame.forceNewton().z;
+    }
+    System.out.printf("slide at 60 mm/s: holds back by %.4f of the force%n", back / up);
+    assertTrue(back / up < 0.04, "holds back by " + back / up);
+  }
+
   /** Slides along x and returns the mean force on the hand. */
   private static Vec3 slidingForce(ForceSettings force) {
     ElasticTouch touch = new ElasticTouch(ElasticTouch.Scene.block(UNIT), 50e3, force, 8, false);

@@ -8,10 +8,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -69,14 +72,63 @@ class RoomProofTest {
     assertTrue(moved > 15 && moved < 88, "clipped " + moved);
   }
 
-  /** The room must not shrink because cells are skipped: all cells together are the reference. */
+  /** Makes the field before by a change of every value, for a slide of two voxels. */
+  private void randomSlide(double displaced, double answers) {
+    field.earlierPlace.set(5, 8, 8);
+    field.place.set(7, 8, 8);
+    field.slideIntervals = 1 + random.nextInt(4);
+    for (int n = 0; n < field.values.length; n++) {
+      boolean fixed = lattice.cells().isFixed(n / DeformationField.STRIDE);
+      double size = fixed ? 0 : n % DeformationField.STRIDE < 3 ? displaced : answers;
+      field.earlier[n] = field.values[n] + (float) (size * (2 * random.nextDouble() - 1));
+    }
+  }
+
   @Test
-  void theRoomIsAsLargeAsAllCellsAllow() {
+  void noForceInTheRoomFoldsATetrahedronAnywhereOnASlide() {
+    int blended = 0;
+    int alone = 0;
+    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    while (blended < 30 || alone < 3) {
+      double displaced = 0.02 + 0.08 * random.nextDouble();
+      double answers = Math.pow(10, -2 + 2 * random.nextDouble());
+      randomField(displaced, answers);
+      randomSlide(3 * displaced * random.nextDouble(), answers * random.nextDouble());
+      if (!proof.prove(field, 1 + 3 * random.nextDouble(), -2 * random.nextDouble())) {
+        continue;
+      }
+      blended += field.slideIntervals > 0 ? 1 : 0;
+      alone += field.slideIntervals > 0 ? 0 : 1;
+      map.use(field);
+      for (int n = 0; n < 3; n++) {
+        map.slideTo(new Vec3(5 + 2 * random.nextDouble(), 8, 8));
+        double size = Math.pow(10, -2 + 3 * random.nextDouble());
+        map.setForce(
+            size * random.nextGaussian(),
+            size * random.nextGaussian(),
+            size * random.nextGaussian());
+        assertEquals(0, TetrahedraJudge.folded(lattice, map), "field " + blended + " " + alone);
+      }
+    }
+  }
+
+  /**
+   * The room must not shrink because cells are skipped: all cells together are the reference. Nor
+   * may it be larger, but for the cones that begin at larger forces.
+   */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void theRoomIsAsLargeAsAllCellsAllow(boolean slides) {
     double reach = 2;
-    double[] change = new double[3];
+    int smaller = 0;
+    int clipped = 0;
     for (int n = 0; n < 60; n++) {
       randomField(0.02 + 0.05 * random.nextDouble(), Math.pow(10, -2 + 1.5 * random.nextDouble()));
-      if (!proof.prove(field, reach, 0)) {
+      field.slideIntervals = 0;
+      if (slides) {
+        randomSlide(0.2 * random.nextDouble(), random.nextDouble());
+      }
+      if (!proof.prove(field, reach, 0) || (slides && field.slideIntervals == 0)) {
         continue;
       }
       double[] axis = field.room.axis();
@@ -84,56 +136,112 @@ class RoomProofTest {
       for (int cell = 0; cell < lattice.cells().count(); cell++) {
         along = Math.min(along, naiveAlong(lattice.cells().firstNode(cell), axis));
       }
-      for (double sign : new double[] {-1, 1}) {
-        for (int row = 0; row < 3; row++) {
-          change[row] = sign * 0.999 * along * axis[row];
-        }
-        assertFalse(field.room.clip(change), "field " + n + ", cone of " + along + " N");
-      }
+      assertFalse(clips(0.999 * along), "field " + n + ", cone of " + along + " N");
+      assertFalse(clips(-0.999 * along), "field " + n + ", cone of " + along + " N");
+      smaller += along < reach ? 1 : 0;
+      clipped += along < reach && clips(-1.001 * along) ? 1 : 0;
     }
+    assertTrue(smaller > 20 && clipped > 0.8 * smaller, clipped + " of " + smaller);
+  }
+
+  /** Whether a change of the force along the axis is clipped. */
+  private boolean clips(double newton) {
+    double[] change = field.room.axis().clone();
+    for (int row = 0; row < 3; row++) {
+      change[row] *= newton;
+    }
+    return field.room.clip(change);
   }
 
   /** Returns how far the force along an axis may change before a bound of a cell is used up. */
   private double naiveAlong(int firstNode, double[] axis) {
     double least = Double.POSITIVE_INFINITY;
+    int intervals = Math.max(1, field.slideIntervals);
     for (int[] order : KuhnTetrahedra.ORDERS) {
-      double[] corners = new double[KuhnTetrahedra.ENTRIES];
-      double squared = 0;
-      double answers = 0;
-      int last = 0;
-      for (int step = 0; step < 3; step++) {
-        int next = last | 1 << order[step];
-        for (int row = 0; row < 3; row++) {
-          double length = position(firstNode, next, row) - position(firstNode, last, row);
-          double answer = answer(firstNode, next, row, axis) - answer(firstNode, last, row, axis);
-          squared += length * length;
-          answers += answer * answer;
-        }
-        last = next;
+      double slide = field.slideIntervals == 0 ? 0 : slideLength(firstNode, order);
+      double answers = answerLength(firstNode, order, axis);
+      for (int n = field.slideIntervals == 0 ? 1 : 0; n <= intervals; n++) {
+        double room = naiveRoom(firstNode, order, (double) n / intervals);
+        least = Math.min(least, (room - slide / (2 * intervals)) / answers);
       }
-      for (int corner = 0; corner < 8; corner++) {
-        for (int row = 0; row < 3; row++) {
-          corners[3 * corner + row] = position(firstNode, corner, row);
-        }
-      }
-      double determinant = KuhnTetrahedra.determinant(corners, order);
-      least = Math.min(least, 0.9 * 2 * determinant / squared / Math.sqrt(answers));
     }
     return least;
   }
 
-  private double position(int firstNode, int corner, int row) {
-    int node = firstNode + lattice.layout().cornerOffset(corner);
-    return (corner >> row & 1) + (double) field.values[DeformationField.STRIDE * node + row];
+  /** Returns 0.9 of the bound of the least singular value of a tetrahedron. */
+  private double naiveRoom(int firstNode, int[] order, double part) {
+    double[] corners = new double[KuhnTetrahedra.ENTRIES];
+    for (int corner = 0; corner < 8; corner++) {
+      for (int row = 0; row < 3; row++) {
+        corners[3 * corner + row] =
+            (corner >> row & 1)
+                + part * entry(field.values, firstNode, corner, row)
+                + (1 - part) * entry(field.earlier, firstNode, corner, row);
+      }
+    }
+    double squared = 0;
+    int last = 0;
+    for (int step = 0; step < 3; step++) {
+      int next = last | 1 << order[step];
+      for (int row = 0; row < 3; row++) {
+        squared += Math.pow(corners[3 * next + row] - corners[3 * last + row], 2);
+      }
+      last = next;
+    }
+    return 0.9 * 2 * KuhnTetrahedra.determinant(corners, order) / squared;
   }
 
-  private double answer(int firstNode, int corner, int row, double[] axis) {
-    int at = DeformationField.STRIDE * (firstNode + lattice.layout().cornerOffset(corner)) + row;
-    double sum = 0;
-    for (int n = 0; n < 3; n++) {
-      sum += axis[n] * field.values[at + 3 + 3 * n];
+  private double slideLength(int firstNode, int[] order) {
+    double squared = 0;
+    for (int step = 0; step < 3; step++) {
+      for (int row = 0; row < 3; row++) {
+        squared +=
+            Math.pow(
+                edge(field.values, firstNode, order, step, row)
+                    - edge(field.earlier, firstNode, order, step, row),
+                2);
+      }
     }
-    return sum;
+    return Math.sqrt(squared);
+  }
+
+  /** Returns a bound for both fields of the slide: that of the longer answer of each edge. */
+  private double answerLength(int firstNode, int[] order, double[] axis) {
+    double squared = 0;
+    for (int step = 0; step < 3; step++) {
+      double newer = squaredAnswer(field.values, firstNode, order, step, axis);
+      double before = squaredAnswer(field.earlier, firstNode, order, step, axis);
+      squared += field.slideIntervals == 0 ? newer : Math.max(newer, before);
+    }
+    return Math.sqrt(squared);
+  }
+
+  private double squaredAnswer(
+      float[] values, int firstNode, int[] order, int step, double[] axis) {
+    double squared = 0;
+    for (int row = 0; row < 3; row++) {
+      double sum = 0;
+      for (int n = 0; n < 3; n++) {
+        sum += axis[n] * edge(values, firstNode, order, step, 3 + 3 * n + row);
+      }
+      squared += sum * sum;
+    }
+    return squared;
+  }
+
+  /** Returns the difference of an entry along an edge of a tetrahedron. */
+  private double edge(float[] values, int firstNode, int[] order, int step, int entry) {
+    int from = 0;
+    for (int n = 0; n < step; n++) {
+      from |= 1 << order[n];
+    }
+    return entry(values, firstNode, from | 1 << order[step], entry)
+        - entry(values, firstNode, from, entry);
+  }
+
+  private double entry(float[] values, int firstNode, int corner, int entry) {
+    int node = firstNode + lattice.layout().cornerOffset(corner);
+    return values[DeformationField.STRIDE * node + entry];
   }
 
   /** Answers to forces across the axis are rounding alone, which large answers make visible. */

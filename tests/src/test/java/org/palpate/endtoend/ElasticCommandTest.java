@@ -8,14 +8,19 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.io.file.NumberText;
 import org.palpate.raycast.Ray;
 import org.palpate.testing.ExactOracle;
 import org.palpate.volume.Segment;
@@ -188,22 +193,18 @@ class ElasticCommandTest {
   private CommandRun replaySession(Object... further) {
     List<Object> replay = new ArrayList<>(List.of("replay", "--trajectory", file("s.csv")));
     replay.addAll(RECORDED_SCENE);
-    replay.addAll(List.of("--legs", file("legs.csv")));
+    replay.addAll(List.of("--legs", file("legs.csv"), "--out", file("frames.csv")));
     replay.addAll(List.of(further));
     return CommandRun.of(replay.toArray());
   }
 
-  /** Returns how many recorded places of the contact the legs of a replay reach in their order. */
+  /** Returns how many recorded places of the contact a replay forecasts in their order. */
   private long reached(List<String> places) throws IOException {
-    List<String> ends = new ArrayList<>();
-    for (String line : Files.readAllLines(file("legs.csv"))) {
-      String[] words = line.split(",", -1);
-      ends.add(String.join(",", words[5], words[6], words[7]));
-    }
+    List<String> forecasts = forecasts();
     int from = 0;
     long count = 0;
     for (String place : places) {
-      int at = ends.subList(from, ends.size()).indexOf(place);
+      int at = forecasts.subList(from, forecasts.size()).indexOf(place);
       if (at >= 0) {
         from += at;
         count++;
@@ -212,7 +213,48 @@ class ElasticCommandTest {
     return count;
   }
 
-  /** Returns where the point was when updates began, as far as the point had moved. */
+  /**
+   * Returns where the contact of each frame will be after 66 frames by its mean motion over 16, and
+   * at most one cell of 8 voxels ahead.
+   */
+  private List<String> forecasts() throws IOException {
+    Map<String, double[]> ends = new HashMap<>();
+    for (String line : Files.readAllLines(file("legs.csv"))) {
+      String[] words = line.split(",", -1);
+      if (words[0].matches("[0-9]+")) {
+        ends.put(words[0], Stream.of(words).skip(5).mapToDouble(Double::parseDouble).toArray());
+      }
+    }
+    List<String> forecasts = new ArrayList<>();
+    double[] position = null;
+    double[] motion = new double[3];
+    boolean pressed = false;
+    for (String line : Files.readAllLines(file("frames.csv"))) {
+      String[] words = line.split(",", -1);
+      double[] next = ends.getOrDefault(words[0], position);
+      boolean presses = words[11].equals("1");
+      double cells = 0;
+      for (int axis = 0; axis < 3 && next != null; axis++) {
+        motion[axis] =
+            pressed && presses
+                ? motion[axis] + (next[axis] - position[axis] - motion[axis]) * (1.0 / 16)
+                : 0;
+        cells += 66 * motion[axis] / 8 * (66 * motion[axis] / 8);
+      }
+      double part = Math.min(1, 1 / Math.sqrt(cells));
+      if (next != null) {
+        forecasts.add(
+            IntStream.range(0, 3)
+                .mapToObj(axis -> NumberText.text(66 * motion[axis] * part + next[axis]))
+                .collect(Collectors.joining(",")));
+      }
+      pressed = presses;
+      position = next;
+    }
+    return forecasts;
+  }
+
+  /** Returns where the contact of each update was expected, if there was a force. */
   private List<String> recordedPlaces() throws IOException {
     List<String> places = new ArrayList<>();
     for (String line : Files.readAllLines(file("s.fields.csv"))) {

@@ -17,6 +17,9 @@ final class PressStudy {
   private static final double TOP = 48;
   private static final double PERCENT = 100;
 
+  /** A smaller change of the force beyond stiffness times motion counts as no step, N. */
+  private static final double LEAST_STEP_NEWTON = 1e-3;
+
   /** Depths of the hand at which a lattice is compared with a finer one, mm. */
   static final double[] DEPTHS = {2, 4, 6, 8, 10};
 
@@ -38,9 +41,13 @@ final class PressStudy {
     private final double newtonPerMm;
     private final Vec3 lastHand = new Vec3();
     private final Vec3 lastForce = new Vec3();
+    private final Vec3 motionOfHand = new Vec3();
     private final Vec3 difference = new Vec3();
+    private long frames;
     private double atUpdates;
     private double anywhere;
+    private long steps;
+    private double held;
 
     StepWatch(ElasticSession session, double newtonPerMm) {
       this.session = session;
@@ -54,10 +61,13 @@ final class PressStudy {
     }
 
     void look() {
-      double motion = session.hand().sub(lastHand, difference).length();
+      double motion = session.hand().sub(lastHand, motionOfHand).length();
       double change = session.forceNewton().sub(lastForce, difference).length();
       double beyond = change - newtonPerMm * motion;
       anywhere = Math.max(anywhere, beyond);
+      steps += beyond > LEAST_STEP_NEWTON ? 1 : 0;
+      held -= motion > 0 ? session.forceNewton().dot(motionOfHand) / motion : 0;
+      frames++;
       atUpdates = session.wasUpdated() ? Math.max(atUpdates, beyond) : atUpdates;
       remember();
     }
@@ -72,7 +82,10 @@ final class PressStudy {
     }
     for (double depth : new double[] {5, 10}) {
       String condition = String.format(Locale.ROOT, "20 kPa, sliding 60 mm/s, %.0f mm deep", depth);
-      addSteps(condition, slideSteps(Softness.USUAL, depth), 0.03, figures);
+      StepWatch watch = slideSteps(Softness.USUAL, depth);
+      addSteps(condition, watch, 0.03, figures);
+      double held = watch.held / watch.frames;
+      figures.add(RigidFigure.of("step", condition, "mean force against the motion", held, "N"));
     }
     return figures;
   }
@@ -83,6 +96,7 @@ final class PressStudy {
         new RigidFigure(
             "step", condition, "largest step at updates", watch.atUpdates, "N", target));
     dest.add(RigidFigure.of("step", condition, "largest step in any frame", watch.anywhere, "N"));
+    dest.add(RigidFigure.of("step", condition, "frames with a step", (double) watch.steps, ""));
   }
 
   private StepWatch pressSteps(Softness softness) {
