@@ -7,9 +7,10 @@ import org.palpate.geometry.Vec3;
  * holds the work that the hand has done since the contact began. Between two frames that is the
  * mean of both forces times the motion of the device.
  *
- * <p>The spring of the coupling alone holds f^2/(2k) at a force f. A force for which the tank holds
- * less is lowered to what it does hold. So a force that may not be returned in full fades as the
- * hand retreats, by at most k times the motion in each frame.
+ * <p>The spring of the coupling alone holds f^2/(2k) at a force f. If the hand goes on as in the
+ * last frame and leaves the solid at once, it gets back half the force times that motion. A force
+ * for which the tank holds less is lowered to what it does hold. So a force that may not be
+ * returned in full fades as the hand retreats, by at most k times the motion in each frame.
  *
  * <p>Reference: Hannaford and Ryu 2002, "Time-domain passivity control of haptic interfaces".
  * Haptic thread; allocates nothing after construction.
@@ -65,6 +66,7 @@ final class EnergyTank {
     double byLast = -0.5 * lastForceNewton.dot(motionMm);
     double byNext = -0.5 * forceNewton.dot(motionMm);
     double part = affordablePart(held + byLast, byNext, spring);
+    part = Math.min(part, leavingPart(held + byLast, byNext));
     if (part < 1) {
       forceNewton.mul(part, forceNewton);
       loweredFrames++;
@@ -83,6 +85,15 @@ final class EnergyTank {
     }
     double square = byNext * byNext + 4 * spring * before;
     return square > 0 ? Math.max(0, Math.min(1, (byNext + Math.sqrt(square)) / (2 * spring))) : 0;
+  }
+
+  /**
+   * Returns the largest part of a force, at most 1, after which the tank still holds what one more
+   * motion like the last returns.
+   */
+  private static double leavingPart(double before, double byNext) {
+    double needed = Math.abs(byNext) - byNext;
+    return before >= needed ? 1 : Math.max(0, before / needed);
   }
 
   /** Returns the number of frames whose force was lowered. */
