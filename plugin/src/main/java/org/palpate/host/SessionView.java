@@ -129,6 +129,7 @@ public final class SessionView implements AutoCloseable {
     toolPoints = session.held().map(held -> held.scene().drawnPoints()).orElse(List.of());
     model.setUpsideDown(options.upsideDown());
     options.clip().ifPresent(model::clip);
+    options.deformed().ifPresent(by -> model.changeLook(look -> look.with(by)));
     slices = options.slices().map(start -> new MovableSlices(model, start));
     threshold =
         options

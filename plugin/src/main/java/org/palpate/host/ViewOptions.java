@@ -3,6 +3,7 @@ package org.palpate.host;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.scene.ClipPlane;
+import org.palpate.scene.DeformationColour;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.window.ScenePanel;
@@ -23,6 +24,7 @@ import org.palpate.scene.window.ScenePanel;
  * @param axesFollowView whether the axes of a {@link org.palpate.device.WorkspaceDevice} are those
  *     of the picture; the world must then be right-handed
  * @param clip the plane that cuts the surfaces open at first, if wanted; keys turn it
+ * @param deformed colours deformed surfaces, if that is wanted
  */
 public record ViewOptions(
     List<Optional<GreyRange>> greys,
@@ -31,7 +33,8 @@ public record ViewOptions(
     boolean upsideDown,
     Optional<Threshold> threshold,
     boolean axesFollowView,
-    Optional<ClipPlane.Start> clip) {
+    Optional<ClipPlane.Start> clip,
+    Optional<DeformationColour> deformed) {
 
   /**
    * A segment whose threshold changes while it is touched.
@@ -50,6 +53,7 @@ public record ViewOptions(
           false,
           Optional.empty(),
           false,
+          Optional.empty(),
           Optional.empty());
 
   /** Copies the list. */
@@ -60,6 +64,13 @@ public record ViewOptions(
   /** Returns a copy that shows the view inside another program's window. */
   public ViewOptions in(ScenePanel component) {
     return new ViewOptions(
-        greys, slices, Optional.of(component), upsideDown, threshold, axesFollowView, clip);
+        greys,
+        slices,
+        Optional.of(component),
+        upsideDown,
+        threshold,
+        axesFollowView,
+        clip,
+        deformed);
   }
 }

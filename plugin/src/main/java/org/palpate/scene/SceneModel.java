@@ -53,7 +53,7 @@ public final class SceneModel {
   /** Creates an empty scene in a world with the given axes. */
   public SceneModel(WorldAxes axes, Theme theme) {
     this.axes = axes;
-    look = new Look(theme, axes, Stereo.OFF, Optional.empty());
+    look = new Look(theme, axes, Stereo.OFF, Optional.empty(), Optional.empty());
   }
 
   /** Returns the orientation of the world's axes. */

@@ -71,22 +71,36 @@ public record SceneState(
    */
   public record LegendEntry(String name, int rgb, boolean visible, boolean selected) {}
 
-  /** The general appearance. */
-  public record Look(Theme theme, WorldAxes axes, Stereo stereo, Optional<SlicePlanes> slices) {
+  /**
+   * The general appearance.
+   *
+   * @param deformed colours deformed surfaces, if that is wanted
+   */
+  public record Look(
+      Theme theme,
+      WorldAxes axes,
+      Stereo stereo,
+      Optional<SlicePlanes> slices,
+      Optional<DeformationColour> deformed) {
     /** Returns a copy with another stereo mode. */
     public Look with(Stereo other) {
-      return new Look(theme, axes, other, slices);
+      return new Look(theme, axes, other, slices, deformed);
     }
 
     /** Returns a copy with other slices. */
     public Look with(Optional<SlicePlanes> other) {
-      return new Look(theme, axes, stereo, other);
+      return new Look(theme, axes, stereo, other, deformed);
+    }
+
+    /** Returns a copy with other colours of deformed surfaces. */
+    public Look with(DeformationColour other) {
+      return new Look(theme, axes, stereo, slices, Optional.of(other));
     }
 
     /** Returns a copy with the other theme. */
     public Look withOtherTheme() {
       Theme other = theme == Theme.DARK ? Theme.LIGHT : Theme.DARK;
-      return new Look(other, axes, stereo, slices);
+      return new Look(other, axes, stereo, slices, deformed);
     }
   }
 }

@@ -100,7 +100,8 @@ public final class RenderCommand implements Callable<Integer> {
           "--stereo",
           "--slices",
           "--gaps",
-          "--clip");
+          "--clip",
+          SurfaceOptions.DEFORMED);
 
   @Spec private CommandSpec spec;
   @Mixin private VolumeOptions volume;
@@ -227,6 +228,7 @@ public final class RenderCommand implements Callable<Integer> {
     SceneModel model = new SceneModel(axes(source.header().coordinateSystem()), theme);
     showMarks(model, source, segments);
     surface.clip().ifPresent(model::clip);
+    surface.deformed().ifPresent(by -> model.changeLook(look -> look.with(by)));
     SliceOptions.show(model, segments.grid(), slices.start(source));
     List<Optional<GreyRange>> greys = surface.greys(source, true);
     long started = System.nanoTime();
@@ -288,6 +290,7 @@ public final class RenderCommand implements Callable<Integer> {
     }
     surface.check();
     checkTool();
+    surface.checkDeformed(elastic);
     if (slices.followsProxy() && trajectory == null) {
       throw PalpateException.wrongUse(
           "there is no interaction point to follow",

@@ -163,6 +163,7 @@ public final class TouchCommand implements Callable<Integer> {
     contact.takeFrom(volume, spec.commandLine().getParseResult());
     contact.checkNeedle(tool.isNeedle(), spec.commandLine().getParseResult());
     elastic.check(volume, tool);
+    surface.checkDeformed(elastic);
     record.check(elastic.isWanted());
     tool.checkOthers(spec.commandLine().getParseResult());
     feel.check(tool.isRigid(), contact);
@@ -450,6 +451,7 @@ public final class TouchCommand implements Callable<Integer> {
                 : SliceOptions.threshold(source)
                     .map(start -> new ViewOptions.Threshold(scene, start, thresholdRefusal())),
             mapping.followsView(),
-            surface.clip()));
+            surface.clip(),
+            surface.deformed()));
   }
 }

@@ -1,6 +1,7 @@
 package org.palpate.app.command;
 
 import java.util.List;
+import org.palpate.app.options.SurfaceOptions;
 import org.palpate.app.process.PalpateException;
 import org.palpate.scene.window.GraphicsDriver;
 import picocli.CommandLine.ParseResult;
@@ -13,7 +14,7 @@ import picocli.CommandLine.ParseResult;
 record WindowNeeds(boolean headless) {
   /** Options that have no effect without a window. */
   private static final List<String> OPTIONS =
-      List.of("--slices", "--surface", "--clip", "--upside-down");
+      List.of("--slices", "--surface", "--clip", SurfaceOptions.DEFORMED, "--upside-down");
 
   /**
    * Checks all options that have no effect without a window.

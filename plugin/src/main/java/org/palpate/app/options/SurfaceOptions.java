@@ -14,6 +14,8 @@ import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.scene.ClipPlane;
 import org.palpate.scene.ClipPlane.Direction;
+import org.palpate.scene.DeformationColour;
+import org.palpate.scene.DeformationColour.Measure;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.SegmentedVolume;
@@ -22,6 +24,9 @@ import picocli.CommandLine.Option;
 
 /** The options of drawn surfaces: their source, and the plane that cuts them open. */
 public final class SurfaceOptions {
+  /** The name of the option that colours deformed surfaces. */
+  public static final String DEFORMED = "--colour-by";
+
   private static final String GREY = "grey";
   private static final double MEMORY_FRACTION = 0.25;
   private static final double SAMPLE_SIZE = 100_000;
@@ -47,6 +52,15 @@ public final class SurfaceOptions {
       })
   private String clip;
 
+  @Option(
+      names = DEFORMED,
+      paramLabel = "MEASURE",
+      description = {
+        "Colours deformed surfaces, from purple to yellow: displacement (10 mm is yellow) or strain"
+            + " (an equivalent strain of 0.3). displacement:MM and strain:PART set another value."
+      })
+  private String deformed;
+
   /**
    * Checks that the values are known.
    *
@@ -54,6 +68,7 @@ public final class SurfaceOptions {
    */
   public void check() {
     clip();
+    deformed();
     if (surface != null && !surface.equals(GREY) && !surface.equals("bits")) {
       throw PalpateException.wrongUse(
           "there is no such source of a surface", "--surface " + surface, "choose grey or bits");
@@ -85,6 +100,43 @@ public final class SurfaceOptions {
     return Optional.of(
         new ClipPlane.Start(
             direction.get(), hasPlace ? OptionalDouble.of(mm) : OptionalDouble.empty()));
+  }
+
+  /**
+   * Returns the colours of deformed surfaces, if they were asked for.
+   *
+   * @throws PalpateException exit code 2, if they cannot be read
+   */
+  public Optional<DeformationColour> deformed() {
+    if (deformed == null) {
+      return Optional.empty();
+    }
+    String[] parts = deformed.split(":", -1);
+    Optional<Measure> measure =
+        Stream.of(Measure.values()).filter(known -> known.toString().equals(parts[0])).findFirst();
+    double most =
+        parts.length == 2
+            ? NumberParser.number(parts[1])
+            : measure.map(Measure::usualMost).orElse(Double.NaN);
+    if (measure.isEmpty() || parts.length > 2 || !(most > 0 && Double.isFinite(most))) {
+      throw PalpateException.wrongUse(
+          "the colours of deformed surfaces cannot be read",
+          DEFORMED + " " + deformed,
+          "write displacement or strain, or the value of the last colour too, as in strain:0.2");
+    }
+    return Optional.of(new DeformationColour(measure.get(), most));
+  }
+
+  /**
+   * Checks that something deforms if its colours were asked for.
+   *
+   * @throws PalpateException exit code 2, if nothing does
+   */
+  public void checkDeformed(ElasticOptions elastic) {
+    if (deformed != null && !elastic.isWanted()) {
+      throw PalpateException.wrongUse(
+          "no segment is elastic", DEFORMED, "add --elastic NAME=young:PA, or leave it out");
+    }
   }
 
   /**

@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Deformation;
+import org.palpate.scene.DeformationColour;
+import org.palpate.scene.DeformationColour.Measure;
 import org.palpate.scene.Matrix4;
 import org.palpate.scene.SceneObject;
 import org.palpate.scene.SceneState;
@@ -77,6 +79,7 @@ final class ObjectPainter {
     program.set(gl, "projection", projection);
     setClip(gl, state, toEye);
     deformation = texture.use(gl, program, state.deformation());
+    setDeformationColour(gl, state.look().deformed());
     gl.glEnable(GL.GL_DEPTH_TEST);
     gl.glDepthFunc(GL.GL_LESS);
     gl.glDepthMask(true);
@@ -90,6 +93,13 @@ final class ObjectPainter {
     }
     transparent.sort(Comparator.comparingDouble(o -> depth(o, toEye)));
     transparent.forEach(object -> drawTransparent(gl, state, object, toEye, projection));
+  }
+
+  /** Sets the value that colours deformed surfaces; the program knows measures by number. */
+  private void setDeformationColour(GL3 gl, Optional<DeformationColour> wanted) {
+    int number = wanted.map(by -> by.measure() == Measure.DISPLACEMENT ? 1 : 2).orElse(0);
+    program.set(gl, "deformedBy", number);
+    program.set(gl, "deformedMost", wanted.map(DeformationColour::most).orElse(1.0));
   }
 
   /** Sets the clipping plane. Without one the normal is zero, so that nothing is hidden. */

@@ -84,13 +84,32 @@ final class Shaders {
           out vec3 eyeNormal;
           out float visibility;
           out vec3 gridPosition;
+          // Which value colours the surface, see DeformationColour, and its largest one.
+          uniform int deformedBy;
+          uniform float deformedMost;
+          out float deformed;
+          // The equivalent strain; its columns are those of the deformation gradient.
+          float strain(vec3 x, vec3 y, vec3 z) {
+            vec3 normal = 0.5 * (vec3(dot(x, x), dot(y, y), dot(z, z)) - 1.0);
+            vec3 shear = 0.5 * vec3(dot(y, z), dot(z, x), dot(x, y));
+            normal -= dot(normal, vec3(1.0 / 3.0));
+            return sqrt((dot(normal, normal) + 2.0 * dot(shear, shear)) * 2.0 / 3.0);
+          }
+          float deformedAt(vec3 position) {
+            if (deformedBy == 1) return length(displacement(position));
+            if (deformedBy == 0) return 0.0;
+            return strain(stretched(position, vec3(1, 0, 0)), stretched(position, vec3(0, 1, 0)),
+                stretched(position, vec3(0, 0, 1)));
+          }
           void main() {
             gridPosition = position;
+            deformed = 0.0;
             vec3 present = position;
             vec3 normal = normalAndVisibility.xyz;
             if (deforms) {
               present += displacement(position);
               normal = deformedNormal(position, normal);
+              deformed = deformedAt(position) / deformedMost;
             }
             vec4 p = toEye * vec4(present, 1);
             eyePosition = p.xyz;
@@ -107,6 +126,7 @@ final class Shaders {
           in vec3 eyeNormal;
           in float visibility;
           in vec3 gridPosition;
+          in float deformed;
           uniform vec3 colour;
           uniform float opacity;
           // What lies farther along the normal, both in the camera's frame, is hidden.
@@ -125,12 +145,15 @@ final class Shaders {
             int low = min(int(at), 3);
             return mix(c[low], c[low + 1], at - float(low));
           }
+          vec3 ownColour() {
+            return mix(colour, viridis(deformed), smoothstep(0.01, 0.05, deformed));
+          }
           vec3 surfaceColour() {
             vec3 place = (gridPosition - tintLow) / tintSize;
             bool isIn = all(greaterThan(place, vec3(0))) && all(lessThan(place, vec3(1)));
-            if (tinted == 0 || !isIn) return colour;
+            if (tinted == 0 || !isIn) return ownColour();
             vec2 found = texture(tint, place).rg;
-            return mix(colour, viridis(found.r / max(found.g, 0.004)), smoothstep(0.2, 0.6, found.g));
+            return mix(ownColour(), viridis(found.r / max(found.g, 0.004)), smoothstep(0.2, 0.6, found.g));
           }
           void main() {
             if (dot(clipNormal, eyePosition) > clipDistance) discard;

@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.scene.DeformationColour;
+import org.palpate.scene.DeformationColour.Measure;
 import org.palpate.scene.surface.GreyRange;
 
 class SurfaceOptionsTest {
@@ -36,6 +38,38 @@ class SurfaceOptionsTest {
     Given.refuses(
         "there is no such source of a surface: --surface " + text + ": choose grey or bits",
         () -> options("--surface=" + text).check());
+  }
+
+  @Test
+  void deformedSurfacesAreColouredAsAskedFor() {
+    assertTrue(options().deformed().isEmpty());
+    assertEquals(
+        Optional.of(new DeformationColour(Measure.STRAIN, 0.3)),
+        options("--colour-by=strain").deformed());
+    assertEquals(
+        Optional.of(new DeformationColour(Measure.DISPLACEMENT, 2.5)),
+        options("--colour-by=displacement:2.5").deformed());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"stress", "strain:0", "strain:x", "strain:1:2", "displacement:-1", ""})
+  void otherColoursOfDeformedSurfacesAreRefused(String text) {
+    Given.refuses(
+        "the colours of deformed surfaces cannot be read: --colour-by "
+            + text
+            + ": write displacement or strain, or the value of the last colour too, as in"
+            + " strain:0.2",
+        () -> options("--colour-by=" + text).check());
+  }
+
+  @Test
+  void coloursNeedAnElasticSegment() {
+    Given.refuses(
+        "no segment is elastic: --colour-by: add --elastic NAME=young:PA, or leave it out",
+        () -> options("--colour-by=strain").checkDeformed(new ElasticOptions()));
+    options("--colour-by=strain")
+        .checkDeformed(Given.options(new ElasticOptions(), "--elastic=block=young:20e3"));
+    options().checkDeformed(new ElasticOptions());
   }
 
   @Test

@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.scene.Deformation;
+import org.palpate.scene.DeformationColour;
+import org.palpate.scene.DeformationColour.Measure;
 import org.palpate.scene.GreySlices;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
@@ -165,6 +167,59 @@ class DeformedSceneWindowTest {
 
   private static int node(int[] index) {
     return index[0] + NODES * (index[1] + NODES * index[2]);
+  }
+
+  private Picture coloured(Optional<DeformationColour> by, Field field) throws Exception {
+    SceneModel model = model(RigidTransform.identity(), false);
+    by.ifPresent(colour -> model.changeLook(look -> look.with(colour)));
+    return picture(model, Optional.of(field));
+  }
+
+  @Test
+  void motionsWithoutStrainLeaveTheColourAsItIs() throws Exception {
+    Optional<DeformationColour> strain = Optional.of(new DeformationColour(Measure.STRAIN, 0.1));
+    RigidTransform turn = turn(0.3);
+    Field turned = rest -> turn.transform(rest, new Vec3()).sub(rest, new Vec3());
+    assertEquals(0, differing(coloured(Optional.empty(), turned), coloured(strain, turned)));
+  }
+
+  /** Two deformations that leave the front where it looks, with the same equivalent strain. */
+  @Test
+  void strainIsTheEquivalentStrainOfGreensTensor() throws Exception {
+    double shear = 0.4;
+    double exy = shear / 2;
+    double eyy = shear * shear / 2;
+    double equivalent = Math.sqrt(2.0 / 3 * (2.0 / 3 * eyy * eyy + 2 * exy * exy));
+    double stretch = Math.sqrt(1 + 3 * equivalent) - 1; // Green's strain is 1.5 times it, along x.
+    for (double most : new double[] {1.2 * equivalent, 2 * equivalent, 4 * equivalent}) {
+      Optional<DeformationColour> by = Optional.of(new DeformationColour(Measure.STRAIN, most));
+      int sheared =
+          coloured(by, rest -> new Vec3(shear * (rest.y - FRONT_MM), 0, 0))
+              .rgb(WIDTH / 2, HEIGHT / 2);
+      int stretched =
+          coloured(by, rest -> new Vec3(stretch * (rest.x - 12), 0, 0)).rgb(WIDTH / 2, HEIGHT / 2);
+      assertTrue(
+          isNear(sheared, stretched),
+          Integer.toHexString(sheared) + " and " + Integer.toHexString(stretched));
+      Optional<DeformationColour> other =
+          Optional.of(new DeformationColour(Measure.STRAIN, 1.3 * most));
+      int less =
+          coloured(other, rest -> new Vec3(stretch * (rest.x - 12), 0, 0))
+              .rgb(WIDTH / 2, HEIGHT / 2);
+      assertTrue(!isNear(less, stretched), "the scale counts: " + Integer.toHexString(less));
+    }
+  }
+
+  @Test
+  void aDisplacementIsColouredByItsLength() throws Exception {
+    Optional<DeformationColour> by = Optional.of(new DeformationColour(Measure.DISPLACEMENT, 3));
+    int along = coloured(by, rest -> new Vec3(2, 0, 0)).rgb(WIDTH / 2, HEIGHT / 2);
+    int aslant = coloured(by, rest -> new Vec3(-1.2, 0, 1.6)).rgb(WIDTH / 2, HEIGHT / 2);
+    int longer = coloured(by, rest -> new Vec3(2.9, 0, 0)).rgb(WIDTH / 2, HEIGHT / 2);
+    assertTrue(isNear(along, aslant), Integer.toHexString(along) + Integer.toHexString(aslant));
+    assertTrue((along >> 8 & 255) > (along >> 16 & 255), "green: " + Integer.toHexString(along));
+    assertTrue((longer >> 16 & 255) > 150, "yellow: " + Integer.toHexString(longer));
+    assertTrue((longer & 255) < 120, "yellow: " + Integer.toHexString(longer));
   }
 
   @Test
