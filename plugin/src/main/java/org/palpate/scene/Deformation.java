@@ -14,6 +14,8 @@ public final class Deformation {
   /** A node that is displaced by less than this counts as one that stands still, mm. */
   private static final double STILL_MM = 1e-3;
 
+  private static final int MOST_STEPS = 60;
+
   private final int[] nodes;
   private final Vec3 originMm;
   private final Vec3 cellMm;
@@ -101,6 +103,64 @@ public final class Deformation {
   /** Returns the length of the longest displacement, mm. */
   public double longestMm() {
     return longestMm;
+  }
+
+  /**
+   * Writes where a present position was at rest, grid mm. It goes half of the rest of the way back
+   * in each step, so that it also finds what is stretched up to four times.
+   *
+   * @param dest another vector
+   */
+  public Vec3 atRest(Vec3 presentMm, Vec3 dest) {
+    dest.set(presentMm);
+    Vec3 displacement = new Vec3();
+    double missedMm = Double.POSITIVE_INFINITY;
+    for (int step = 0; step < MOST_STEPS && missedMm > STILL_MM; step++) {
+      displacementMm(dest, displacement);
+      displacement.add(dest, displacement);
+      presentMm.sub(displacement, displacement);
+      missedMm = displacement.length();
+      dest.add(displacement.mul(0.5, displacement), dest);
+    }
+    return dest;
+  }
+
+  /** Writes the displacement of a position at rest: none outside the lattice. */
+  private void displacementMm(Vec3 restMm, Vec3 dest) {
+    int[] cell = new int[3];
+    double[] part = new double[3];
+    dest.set(0, 0, 0);
+    for (int axis = 0; axis < 3; axis++) {
+      double at = (restMm.get(axis) - originMm.get(axis)) / cellMm.get(axis);
+      if (!(at >= 0 && at <= nodes[axis] - 1)) {
+        return;
+      }
+      cell[axis] = Math.min((int) at, nodes[axis] - 2);
+      part[axis] = at - cell[axis];
+    }
+    // Along the edges of a tetrahedron: first along the axis on which the position is farthest.
+    double left = 1;
+    for (int n = 0; n <= 3; n++) {
+      int farthest = 0;
+      for (int axis = 1; axis < 3; axis++) {
+        farthest = part[axis] > part[farthest] ? axis : farthest;
+      }
+      double next = n < 3 ? part[farthest] : 0;
+      addNode(left - next, cell, dest);
+      left = next;
+      if (n < 3) {
+        cell[farthest]++;
+        part[farthest] = -1;
+      }
+    }
+  }
+
+  private void addNode(double weight, int[] index, Vec3 dest) {
+    int at = 3 * (index[0] + nodes[0] * (index[1] + nodes[1] * index[2]));
+    dest.set(
+        dest.x + weight * displacementsMm[at],
+        dest.y + weight * displacementsMm[at + 1],
+        dest.z + weight * displacementsMm[at + 2]);
   }
 
   /** Whether some of a box in grid mm may be displaced. */

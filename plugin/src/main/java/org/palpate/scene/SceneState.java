@@ -50,6 +50,17 @@ public record SceneState(
     legend = List.copyOf(legend);
   }
 
+  /** Returns where a point of a drawn surface is without the deformation, scene frame. */
+  public Vec3 atRest(Vec3 presentMm) {
+    if (deformation.isEmpty() || objects.isEmpty()) {
+      return presentMm;
+    }
+    // What is elastic lies in one grid, so all objects have one pose.
+    RigidTransform toScene = objects.get(0).pose();
+    Vec3 gridMm = toScene.inverseTransform(presentMm, new Vec3());
+    return toScene.transform(deformation.get().atRest(gridMm, new Vec3()), gridMm);
+  }
+
   /**
    * A visible segment with its present appearance.
    *

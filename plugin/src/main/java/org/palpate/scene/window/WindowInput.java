@@ -372,7 +372,7 @@ public final class WindowInput extends MouseAdapter {
   private PointerSpot spot(PickedPoint found, boolean begins) {
     SceneState state = model.state();
     Vec3 eye = model.axes().toSceneOrBack(found.eyeMm(), new Vec3());
-    Vec3 surface = model.axes().toSceneOrBack(found.surfaceMm(), new Vec3());
+    Vec3 surface = model.axes().toSceneOrBack(state.atRest(found.surfaceMm()), new Vec3());
     // A drawn surface may lie a voxel in front of what is touched.
     double depthMm = pressFraction * state.radiusMm() + state.detailMm();
     return new PointerSpot(eye, surface, depthMm, begins);

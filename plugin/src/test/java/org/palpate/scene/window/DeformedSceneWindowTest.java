@@ -137,6 +137,9 @@ class DeformedSceneWindowTest {
           if (inFront) {
             double expected = FRONT_MM + interpolated(depth, seen.x, FRONT_MM, seen.z);
             assertEquals(expected, seen.y, 0.12, "at " + seen);
+            Vec3 rest = model.state().atRest(seen);
+            assertEquals(FRONT_MM, rest.y, 0.15, "at rest " + rest);
+            assertEquals(seen.x, rest.x, 0.01, "at rest " + rest);
             found++;
           }
         }
