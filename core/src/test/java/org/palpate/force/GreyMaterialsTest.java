@@ -1,6 +1,7 @@
 package org.palpate.force;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -144,5 +145,55 @@ class GreyMaterialsTest {
       }
       assertEquals(STIFFNESS * 2 * (x < 16 ? 0.15 : 1), force.z, 0.02);
     }
+  }
+
+  /** The values grow by 2, 30 and 500 a voxel, so that each coordinate can be read from a value. */
+  @Test
+  void theValueUnderThePointIsTakenAnEdgeBelowTheSurfaceTowardsTheDevice() {
+    ScalarVolume values = ScalarVolume.of(Floor.GRID, ScalarVolume.Storage.FLOAT32);
+    for (int n = 0; n < 32 * 32 * 32; n++) {
+      values.set(
+          n % 32, n / 32 % 32, n / 1024, 2 * (n % 32) + 30 * (n / 32 % 32) + 500 * (n / 1024));
+    }
+    GreyMaterials materials = new GreyMaterials(values, GreyMaterials.CT);
+    GridMetric metric = new GridMetric(1, 0.5, 2);
+    InteractionPoint at = new InteractionPoint();
+    at.position.set(16, 15, 14);
+    at.surfaceHeightMm = 0.7;
+    for (Vec3 device :
+        List.of(
+            new Vec3(20, 15, 14),
+            new Vec3(16, 3, 14),
+            new Vec3(16, 15, 9),
+            new Vec3(12, 18, 15),
+            new Vec3(16.2, 15.3, 14.1))) {
+      double x = device.x - 16;
+      double y = (device.y - 15) * 0.5;
+      double z = (device.z - 14) * 2;
+      double distance = Math.sqrt(x * x + y * y + z * z);
+      double part = Math.min(1, 1.2 / distance); // the height, and the shortest edge of 0.5 mm
+      double expected =
+          2 * (16 + part * (device.x - 16) - 0.5)
+              + 30 * (15 + part * (device.y - 15) - 0.5)
+              + 500 * (14 + part * (device.z - 14) - 0.5);
+      assertEquals(expected, materials.greyUnder(at, device, metric), 1e-3, device.toString());
+    }
+    at.surfaceHeightMm = -3;
+    assertEquals(
+        2 * 16 + 30 * 14.5 + 500 * 13.5,
+        materials.greyUnder(at, new Vec3(24, 15, 14), metric),
+        1e-3,
+        "a surface below the point does not count");
+  }
+
+  @Test
+  void onlyRowsWithDampingDamp() {
+    ScalarVolume values = fatAndBone();
+    List<GreyMaterials.Row> plain =
+        List.of(new GreyMaterials.Row(0, 0.2, 0.1, 0), new GreyMaterials.Row(9, 0.6, 0.3, 0));
+    assertFalse(new GreyMaterials(values, plain).damps());
+    List<GreyMaterials.Row> damped =
+        List.of(new GreyMaterials.Row(0, 0.2, 0.1, 1e-3), new GreyMaterials.Row(9, 0.6, 0.3, 0));
+    assertTrue(new GreyMaterials(values, damped).damps());
   }
 }
