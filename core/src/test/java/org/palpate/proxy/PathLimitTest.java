@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.HostileNumbers;
+import org.palpate.testing.RandomCases;
 import org.palpate.testing.Seeds;
 
 class PathLimitTest {
@@ -30,7 +31,7 @@ class PathLimitTest {
   @Test
   void noLegIsLongerThanTheRemainingPath() {
     int cuts = 0;
-    for (int n = 0; n < 200_000; n++) {
+    for (int n = 0; n < RandomCases.of(200_000); n++) {
       String what = "seed=" + SEED + " n=" + n;
       GridMetric metric = anyMetric();
       double maxPathMm = anyLength();
@@ -44,13 +45,13 @@ class PathLimitTest {
       assertTrue(dest.sameBits(from) || isWithin(metric, remainingMm), what);
       assertTrue(cut || dest.sameBits(to), what);
     }
-    assertTrue(cuts > 50_000, "too few cuts to mean anything: " + cuts);
+    assertTrue(cuts > RandomCases.of(50_000), "too few cuts to mean anything: " + cuts);
   }
 
   @Test
   void cutsToTheSameBitsAsTheNaiveCut() {
     Vec3 expected = new Vec3();
-    for (int n = 0; n < 200_000; n++) {
+    for (int n = 0; n < RandomCases.of(200_000); n++) {
       GridMetric metric = anyMetric();
       double maxPathMm = anyLength();
       PathLimit limit = new PathLimit(metric, maxPathMm);

@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.testing.ExactOracle;
 import org.palpate.testing.HostileNumbers;
+import org.palpate.testing.RandomCases;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -67,7 +68,7 @@ class ExactRayCasterTest {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
     int hits = 0;
-    for (int n = 0; n < 300_000; n++) {
+    for (int n = 0; n < RandomCases.of(300_000); n++) {
       int[] corner = {random.nextInt(1, 15), random.nextInt(1, 15), random.nextInt(1, 15)};
       BitCube bits = new BitCube(16, 16, 16);
       bits.set(
@@ -79,7 +80,7 @@ class ExactRayCasterTest {
       Ray ray = n % 2 == 0 ? rayByACorner(random, corner) : chainOfNearTies(random, corner);
       hits += agrees(bits, ray, "seed=" + seed + " ray " + n) ? 1 : 0;
     }
-    assertTrue(hits > 10_000, "too few hits to mean anything: " + hits);
+    assertTrue(hits > RandomCases.of(10_000), "too few hits to mean anything: " + hits);
   }
 
   /** Returns a ray that ends within some roundings of a corner, or goes on as far again. */
@@ -120,14 +121,14 @@ class ExactRayCasterTest {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
     int hits = 0;
-    for (int scene = 0; scene < 300; scene++) {
+    for (int scene = 0; scene < RandomCases.of(300); scene++) {
       BitCube bits = randomCube(random);
       for (int n = 0; n < 300; n++) {
         Ray ray = hostileRay(random, bits);
         hits += agrees(bits, ray, "seed=" + seed + " scene=" + scene + " ray " + n) ? 1 : 0;
       }
     }
-    assertTrue(hits > 10_000, "too few hits to mean anything: " + hits);
+    assertTrue(hits > RandomCases.of(10_000), "too few hits to mean anything: " + hits);
   }
 
   @Test
@@ -140,7 +141,7 @@ class ExactRayCasterTest {
     int hits = 0;
     for (int scene = 0; scene < 40; scene++) {
       BitCube bits = clusters(random);
-      for (int n = 0; n < 500; n++) {
+      for (int n = 0; n < RandomCases.of(500); n++) {
         Ray ray = longRay(random);
         String what = "seed=" + seed + " scene=" + scene + " ray " + n + " " + ray;
         boolean found = caster.cast(bits, ray, hit);
@@ -154,7 +155,7 @@ class ExactRayCasterTest {
         }
       }
     }
-    assertTrue(hits > 2_000, "too few hits to mean anything: " + hits);
+    assertTrue(hits > RandomCases.of(2_000), "too few hits to mean anything: " + hits);
   }
 
   private static BitCube clusters(SplittableRandom random) {

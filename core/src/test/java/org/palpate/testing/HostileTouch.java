@@ -50,7 +50,7 @@ public final class HostileTouch {
    */
   public long keepsTheGuarantee(int scenes, FramePromise promise) {
     long legs = 0;
-    for (int number = 0; number < scenes; number++) {
+    for (int number = 0; number < RandomCases.of(scenes); number++) {
       legs += touchScene("seed=" + seed + " scene=" + number, promise);
     }
     return legs;
