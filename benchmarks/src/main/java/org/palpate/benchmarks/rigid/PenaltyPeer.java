@@ -28,6 +28,9 @@ final class PenaltyPeer implements PeerTool {
 
   private static final double MM_PER_M = 1_000;
 
+  /** The layer of a solid voxel that is not known yet; more than 126 layers have none either. */
+  private static final byte UNKNOWN = Byte.MAX_VALUE;
+
   private final RigidTool tool;
   private final int sizeX;
   private final int sizeY;
@@ -57,12 +60,14 @@ final class PenaltyPeer implements PeerTool {
   /** Returns the number of each voxel's layer: 0 in empty space, 1 at the surface. */
   private byte[] layers(BitCube bits) {
     byte[] map = new byte[sizeX * sizeY * sizeZ];
+    for (int n = 0; n < map.length; n++) {
+      map[n] = bits.get(n % sizeX, n / sizeX % sizeY, n / (sizeX * sizeY)) ? UNKNOWN : 0;
+    }
     boolean found = true;
     for (byte layer = 1; found && layer < Byte.MAX_VALUE; layer++) {
       found = false;
       for (int n = 0; n < map.length; n++) {
-        boolean isSolid = bits.get(n % sizeX, n / sizeX % sizeY, n / (sizeX * sizeY));
-        if (isSolid && map[n] == 0 && isBelow(map, n, layer - 1)) {
+        if (map[n] == UNKNOWN && isBelow(map, n, layer - 1)) {
           map[n] = layer;
           found = true;
         }

@@ -3,6 +3,8 @@ package org.palpate.benchmarks.rigid;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayDeque;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
@@ -169,5 +171,100 @@ class PenaltyPeerTest {
     device.translation.set(-40, 24, 5);
     follow(5);
     assertEquals(0, peer.force(device, new Vec3()).length(), 1e-12);
+  }
+
+  /** Returns the layer of each voxel by a search from all empty voxels; 0 in empty space. */
+  private static int[] naiveLayers(BitCube bits) {
+    int[] layers = new int[EDGE * EDGE * EDGE];
+    ArrayDeque<Integer> next = new ArrayDeque<>();
+    for (int n = 0; n < layers.length; n++) {
+      boolean isSolid = bits.get(n % EDGE, n / EDGE % EDGE, n / (EDGE * EDGE));
+      layers[n] = isSolid ? Integer.MAX_VALUE : 0;
+      if (!isSolid) {
+        next.add(n);
+      }
+    }
+    int[] strides = {1, EDGE, EDGE * EDGE};
+    while (!next.isEmpty()) {
+      int n = next.remove();
+      for (int axis = 0; axis < 3; axis++) {
+        int at = n / strides[axis] % EDGE;
+        for (int step = -1; step <= 1; step += 2) {
+          int beside = n + step * strides[axis];
+          boolean isInGrid = at + step >= 0 && at + step < EDGE;
+          if (isInGrid && layers[beside] == Integer.MAX_VALUE) {
+            layers[beside] = layers[n] + 1;
+            next.add(beside);
+          }
+        }
+      }
+    }
+    return layers;
+  }
+
+  /**
+   * In the first frame the coupling is at rest, so that contacts alone move the ball: by the force
+   * over 0.1 kg times the square of a millisecond. Pushes towards its centre have no torque.
+   */
+  @Test
+  void inTheFirstFrameTheContactsAloneMoveTheBall() {
+    SplittableRandom random = new SplittableRandom(20_261_129);
+    int touching = 0;
+    for (int round = 0; round < 30; round++) {
+      BitCube lumps = new BitCube(EDGE, EDGE, EDGE);
+      for (int n = 0; n < 40; n++) {
+        box(lumps, random.nextInt(40), random.nextInt(40), random.nextInt(40), 8);
+      }
+      int[] layers = naiveLayers(lumps);
+      PenaltyPeer among = new PenaltyPeer(lumps, ball);
+      Vec3 centre =
+          new Vec3(random.nextDouble(8, 40), random.nextDouble(8, 40), random.nextDouble(8, 40));
+      Vec3[] pushes = {new Vec3(), new Vec3()};
+      int contacts = 0;
+      for (int n = 0; n < ball.count(); n++) {
+        contacts += addPush(layers, centre, ball.point(n, new Vec3()), pushes) ? 1 : 0;
+      }
+      double scale = 1 / Math.max(1, contacts / 10.0);
+      Pose expected = at(centre.x, centre.y, centre.z);
+      Vec3 moved = pushes[0].mul(scale / 0.1 * 1e-6 * 1e3, new Vec3());
+      double inertia = 0.1 * ball.rmsRadiusMm() * ball.rmsRadiusMm() * 1e-6;
+      Vec3 turned = pushes[1].mul(scale * 1e-3 / inertia * 1e-6, new Vec3());
+      expected.translation.add(moved, expected.translation);
+      expected.rotation.setRotationVector(turned);
+      touching += contacts;
+      among.place(at(centre.x, centre.y, centre.z));
+      among.follow(at(centre.x, centre.y, centre.z));
+      for (int n = 0; n < ball.count(); n++) {
+        Vec3 p = expected.transform(ball.point(n, new Vec3()), new Vec3());
+        double off = among.point(n, new Vec3()).sub(p, p).length();
+        assertEquals(0, off, 1e-9, "round " + round + " point " + n);
+      }
+    }
+    assertTrue(touching > 3_000, "contacts: " + touching);
+  }
+
+  private static void box(BitCube bits, int x, int y, int z, int edge) {
+    for (int n = 0; n < edge * edge * edge; n++) {
+      bits.set(x + n % edge, y + n / edge % edge, z + n / (edge * edge));
+    }
+  }
+
+  /** Adds force, N, and torque, N mm, of a point; returns whether it is in contact. */
+  private static boolean addPush(int[] layers, Vec3 centre, Vec3 arm, Vec3[] sums) {
+    Vec3 p = centre.add(arm, new Vec3());
+    int i = (int) Math.floor(p.x);
+    int j = (int) Math.floor(p.y);
+    int k = (int) Math.floor(p.z);
+    int layer = layers[(k * EDGE + j) * EDGE + i];
+    Vec3 inward = arm.mul(-1 / arm.length(), new Vec3());
+    Vec3 below = new Vec3(i + 0.5, j + 0.5, k + 0.5).sub(p, new Vec3());
+    double depth = layer - 1 + Math.max(0, below.dot(inward));
+    if (layer == 0 || !(depth > 0)) {
+      return false;
+    }
+    inward.mul(5 * depth, inward);
+    sums[0].add(inward, sums[0]);
+    sums[1].add(arm.cross(inward, new Vec3()), sums[1]);
+    return true;
   }
 }
