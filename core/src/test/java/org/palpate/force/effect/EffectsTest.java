@@ -239,4 +239,18 @@ class EffectsTest {
     hand.contactNewton.set(0, 1, 2);
     assertEquals(0, moveTo(texture, 8.3, 9.1, 12.7).length(), 1e-9);
   }
+
+  /** The lever of the coupling is 3 mm, so that a rotation has 9 times the drag in N mm s. */
+  @Test
+  void viscosityBrakesTheTurnOfARigidToolAtTheLeverOfTheCoupling() {
+    HapticEffect viscous = made(Effects.viscosity(0.002), 0.5);
+    hand.isRigid = true;
+    hand.spinRadPerSecond.set(0, 0, 4);
+    viscous.add(hand, force.set(0, 0, 0), torque.set(0, 0, 0));
+    assertEquals(-0.002 * 9 * 4, torque.z, 1e-12);
+    assertEquals(0, force.length());
+    hand.spinRadPerSecond.set(0, 400, 0);
+    viscous.add(hand, force.set(0, 0, 0), torque.set(0, 0, 0));
+    assertEquals(-0.5 * 3, torque.y, 1e-12, "at most the longest force at the lever");
+  }
 }
