@@ -16,7 +16,7 @@ import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
-/** How near a tool came, against the distance of every point from every voxel. */
+/** The nearest approach of a tool, against the distance of every point from every voxel. */
 class NearestApproachTest {
   private static final Vec3 SPACING = new Vec3(1, 1.5, 0.8);
   private static final double REACH_MM = 9;
