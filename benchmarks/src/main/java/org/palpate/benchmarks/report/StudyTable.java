@@ -50,7 +50,8 @@ public enum StudyTable {
   STABILITY_TOOLS(
       "stability-tools.csv",
       "device,grip,held,rod_mm,rms_radius_mm,rate_hz,delay_samples,handle_kg,damping_ns_per_m,"
-          + Columns.MARGIN),
+          + Columns.MARGIN
+          + ",given_mj,verdict"),
   /** Stability with guides, effects and mass. */
   STABILITY_FEEL(
       "stability-feel.csv",

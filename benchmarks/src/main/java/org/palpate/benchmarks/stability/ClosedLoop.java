@@ -71,11 +71,6 @@ public record ClosedLoop(
     return grip.armNewtonPerM() == 0;
   }
 
-  /** Returns where the motion starts and ends, mm. */
-  Vec3 startMm() {
-    return reach().awayMm();
-  }
-
   private Reach reach() {
     boolean bare = isBare();
     double depthMm =

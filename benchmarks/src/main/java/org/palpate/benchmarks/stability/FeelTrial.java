@@ -1,16 +1,14 @@
 package org.palpate.benchmarks.stability;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.benchmarks.stability.ClosedLoop.Outcome;
-import org.palpate.device.DeviceDecorator;
-import org.palpate.device.DeviceState;
-import org.palpate.device.HapticDevice;
-import org.palpate.device.ReadStatus;
 import org.palpate.edit.EditQueue;
 import org.palpate.force.EffectPlan;
 import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
+import org.palpate.force.GreyMaterials;
 import org.palpate.force.MassSettings;
 import org.palpate.force.MassiveContact;
 import org.palpate.force.effect.Effects;
@@ -38,7 +36,7 @@ import org.palpate.volume.VoxelGrid;
  * @param feel the guide, effect or mass that the hand feels
  */
 public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel feel)
-    implements LoopTrial {
+    implements FeltTrial {
   private static final double VOXEL = TouchedShape.VOXEL_MM;
   private static final GridMetric METRIC = new GridMetric(VOXEL, VOXEL, VOXEL);
   private static final int EDGE = 32;
@@ -50,6 +48,9 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
 
   /** The distance of the hand from the touched position at the start. */
   private static final double START_MM = 2;
+
+  /** A guide keeps the hand in a ball of this radius around the start, which the wall cuts. */
+  private static final double BALL_MM = 2.5;
 
   /** Effects of the wall begin below the start. */
   private static final double REACH_MM = 1.3;
@@ -63,15 +64,36 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
    * @param name the name in tables
    * @param plans guides and effects
    * @param massKg the mass of the point, if it has one
+   * @param materials tissue from grey values, if there is any
    * @param driven whether a force follows time; such an effect is active
    */
-  public record Feel(String name, List<EffectPlan> plans, OptionalDouble massKg, boolean driven) {
+  public record Feel(
+      String name,
+      List<EffectPlan> plans,
+      OptionalDouble massKg,
+      Optional<GreyMaterials> materials,
+      boolean driven) {
     private static Feel of(String name, EffectPlan... plans) {
-      return new Feel(name, List.of(plans), OptionalDouble.empty(), false);
+      return new Feel(name, List.of(plans), OptionalDouble.empty(), Optional.empty(), false);
     }
 
     private static Feel ofMass(double kg) {
-      return new Feel("mass " + kg + " kg", List.of(), OptionalDouble.of(kg), false);
+      String name = "mass " + kg + " kg";
+      return new Feel(name, List.of(), OptionalDouble.of(kg), Optional.empty(), false);
+    }
+
+    private static Feel ofMaterials(String name, GreyMaterials materials) {
+      return new Feel(name, List.of(), OptionalDouble.empty(), Optional.of(materials), false);
+    }
+
+    /** Whether it is also studied above 1 kHz: plain contact, mass, and what is felt as detail. */
+    boolean isStudiedFast() {
+      return name.equals("none") || name.startsWith("texture") || driven || massKg.isPresent();
+    }
+
+    /** Returns a feel whose force follows time. */
+    private static Feel ofDriven(String name, EffectPlan plan) {
+      return new Feel(name, List.of(plan), OptionalDouble.empty(), Optional.empty(), true);
     }
   }
 
@@ -89,6 +111,8 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
         Feel.of("none"),
         Feel.of("guide axis", Guides.axis(start, new Vec3(0, 0, -1), strength)),
         Feel.of("guide plane", Guides.plane(start, new Vec3(1, 0, 0), strength)),
+        Feel.of("guide sphere", Guides.ball(start, BALL_MM, strength)),
+        Feel.of("guide path", Guides.path(bentPath(start), strength)),
         Feel.of("guide hinge", Guides.hinge(aside, new Vec3(0, 1, 0), strength)),
         Feel.of("guide away", Guides.away(wall, REACH_MM, strength)),
         Feel.of("viscosity 0.002", Effects.viscosity(0.002)),
@@ -96,11 +120,8 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
         Feel.of("magnet 0.04 N", Effects.magnet(wall, 0.04, REACH_MM)),
         Feel.of("stick-slip 0.3 N", Effects.stickSlip(0.3)),
         Feel.of("texture 0.2 mm", Effects.texture(ripples(), 0.2)),
-        new Feel(
-            "vibration 100 Hz 0.3 N",
-            List.of(Effects.vibration(100, 0.3)),
-            OptionalDouble.empty(),
-            true),
+        Feel.ofDriven("vibration 100 Hz 0.3 N", Effects.vibration(100, 0.3)),
+        Feel.ofMaterials("tissue from grey", new GreyMaterials(tissue(), GreyMaterials.CT)),
         Feel.ofMass(0.005),
         Feel.ofMass(0.05),
         Feel.ofMass(0.3),
@@ -121,6 +142,24 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
       bits.set(n % EDGE, n / EDGE % EDGE, n / (EDGE * EDGE));
     }
     return bits;
+  }
+
+  /** Returns a path that leads into the wall beside the hand, and then along it. */
+  private static List<Vec3> bentPath(Vec3 start) {
+    return List.of(
+        start,
+        new Vec3(start.x + 0.5, start.y, start.z - START_MM),
+        new Vec3(start.x + 4, start.y, start.z - START_MM));
+  }
+
+  /** Returns Hounsfield units that rise from fat to bone along x, as the hand slides. */
+  private static ScalarVolume tissue() {
+    ScalarVolume grey = ScalarVolume.of(grid(), ScalarVolume.Storage.INT16);
+    for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
+      int i = n % EDGE;
+      grey.set(i, n / EDGE % EDGE, n / (EDGE * EDGE), Math.min(1000, -200 + 100 * Math.abs(i - 8)));
+    }
+    return grey;
   }
 
   /** Returns values whose detail is a checkerboard of height 1. */
@@ -144,62 +183,16 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
     return run(newtonPerM, FramePublisher.NONE);
   }
 
-  /**
-   * Returns the energy that the forces gave to the hand over the whole motion, mJ; the motion ends
-   * where it began. Each force is multiplied by the mean of the steps before and after it, so that
-   * sampling and delay add no energy. A passive effect gives none.
-   *
-   * @param newtonPerM the stiffness, N/m
-   */
+  @Override
   public double givenMillijoule(double newtonPerM) {
-    Work work = new Work();
+    HandWork work = new HandWork(VOXEL);
     run(newtonPerM, work);
-    return work.millijoule;
+    return work.millijoule();
   }
 
-  /** Adds up the work of the forces on the hand. */
-  private static final class Work implements FramePublisher {
-    private final Vec3 before = new Vec3();
-    private final Vec3 last = new Vec3();
-    private final Vec3 lastForce = new Vec3();
-    private final Vec3 step = new Vec3();
-    private double millijoule;
-
-    @Override
-    public void publish(Vec3 at, Vec3 point, Vec3 forceNewton, boolean contact, long frame) {
-      millijoule += 0.5 * lastForce.dot(at.sub(before, step)) * VOXEL;
-      before.set(last);
-      last.set(at);
-      lastForce.set(frame > 1 ? forceNewton : step.set(0, 0, 0));
-    }
-  }
-
-  /** A hand that rests before it moves, until the effects have faded in. */
-  private static final class Settling extends DeviceDecorator {
-    private static final int FRAMES = 300;
-
-    private final Vec3 startMm;
-    private int reads;
-
-    Settling(HapticDevice plant, Vec3 startMm) {
-      super(plant);
-      this.startMm = startMm;
-    }
-
-    @Override
-    public ReadStatus read(DeviceState state) {
-      if (reads++ >= FRAMES) {
-        return device.read(state);
-      }
-      state.positionMm.set(startMm.x / VOXEL, startMm.y / VOXEL, startMm.z / VOXEL);
-      state.timeNanos = 0;
-      return ReadStatus.FRESH;
-    }
-
-    @Override
-    public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
-      return reads <= FRAMES || device.write(forceNewton, torqueNewtonMm);
-    }
+  @Override
+  public boolean isDriven() {
+    return feel.driven();
   }
 
   private Outcome run(double newtonPerM, FramePublisher publisher) {
@@ -209,7 +202,7 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
     FrameSettings settings = FrameSettings.live(plant.specification(), smooth);
     PointFrame frame =
         new PointFrame(
-            GridDevice.inGridCoordinates(new Settling(plant, loop.startMm())),
+            GridDevice.inGridCoordinates(new SettlingDevice(plant, sampling)),
             new GuardedSolver(METRIC, 8 * VOXEL),
             WALL.scene(),
             METRIC,
@@ -224,6 +217,7 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
             settings.maxForceNewton(),
             List.of(new Vec3()));
     frame.requestEffects(feel.plans().stream().map(plan -> plan.make(site)).toList());
+    feel.materials().ifPresent(frame::use);
     if (feel.massKg().isPresent()) {
       MassSettings held = new MassSettings(feel.massKg().getAsDouble(), new Vec3());
       frame.give(new MassiveContact(METRIC, settings.force(), held));

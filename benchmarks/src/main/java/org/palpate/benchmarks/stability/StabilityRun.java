@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.palpate.benchmarks.report.Progress;
 import org.palpate.benchmarks.report.StudyTable;
@@ -27,9 +28,6 @@ import org.palpate.raycast.SampledRayCaster;
 public final class StabilityRun {
   private static final double WANTED_MARGIN = 2;
   private static final long SEED = 7;
-
-  /** An effect that gives less over a whole motion counts as passive. */
-  private static final double PASSIVE_MILLIJOULE = 0.01;
 
   /** 10^8 frames for each solver. */
   private static final int ROUNDS = 1000;
@@ -112,57 +110,57 @@ public final class StabilityRun {
 
   private static void reportTools(Path folder, List<MarginRow<ToolTrial>> rows, PrintWriter out)
       throws IOException {
-    StudyTable.STABILITY_TOOLS.write(folder, rows, MarginRow::cells);
-    Map<String, List<MarginRow<ToolTrial>>> conditions =
-        rows.stream()
-            .collect(
-                Collectors.groupingBy(
-                    StabilityRun::condition, LinkedHashMap::new, Collectors.toList()));
-    conditions.forEach(
-        (condition, own) ->
-            out.printf(
-                Locale.ROOT,
-                "%s: least margin of the default stiffness %.2f, unstable at the default in %d of"
-                    + " %d variations%n",
-                condition,
-                own.stream().mapToDouble(MarginRow::margin).min().orElse(0),
-                own.stream().filter(row -> !row.atDefault().stable()).count(),
-                own.size()));
+    report(folder, StudyTable.STABILITY_TOOLS, rows, StabilityRun::condition, out);
   }
 
   private static void reportFeel(Path folder, List<MarginRow<FeelTrial>> rows, PrintWriter out)
       throws IOException {
-    Map<MarginRow<FeelTrial>, Double> given = new LinkedHashMap<>();
-    rows.forEach(row -> given.put(row, row.trial().givenMillijoule(row.defaultStiffness())));
-    StudyTable.STABILITY_FEEL.write(folder, rows, row -> feelCells(row, given.get(row)));
-    for (FeelTrial.Feel feel : FeelTrial.feels()) {
-      List<MarginRow<FeelTrial>> own =
-          rows.stream().filter(row -> row.trial().feel().name().equals(feel.name())).toList();
-      out.printf(
-          Locale.ROOT,
-          "feel %s: least margin of the default stiffness %.2f, unstable at the default in %d of"
-              + " %d, gives at most %.3f mJ: %s%n",
-          feel.name(),
-          own.stream().mapToDouble(MarginRow::margin).min().orElse(0),
-          own.stream().filter(row -> !row.atDefault().stable()).count(),
-          own.size(),
-          own.stream().mapToDouble(given::get).max().orElse(0),
-          own.stream().allMatch(row -> isPassive(row.trial(), given.get(row)))
-              ? "passive"
-              : "active");
-    }
+    report(folder, StudyTable.STABILITY_FEEL, rows, StabilityRun::feel, out);
   }
 
-  private static List<Object> feelCells(MarginRow<FeelTrial> row, double givenMillijoule) {
+  /** Writes a table of trials whose energy is measured, and a line for each condition. */
+  private static <T extends FeltTrial> void report(
+      Path folder,
+      StudyTable table,
+      List<MarginRow<T>> rows,
+      Function<T, String> condition,
+      PrintWriter out)
+      throws IOException {
+    Map<MarginRow<T>, Double> given = new LinkedHashMap<>();
+    rows.forEach(row -> given.put(row, row.trial().givenMillijoule(row.defaultStiffness())));
+    table.write(folder, rows, row -> feltCells(row, given.get(row)));
+    Map<String, List<MarginRow<T>>> conditions =
+        rows.stream()
+            .collect(
+                Collectors.groupingBy(
+                    row -> condition.apply(row.trial()), LinkedHashMap::new, Collectors.toList()));
+    conditions.forEach(
+        (name, own) ->
+            out.printf(
+                Locale.ROOT,
+                "%s: least margin of the default stiffness %.2f, unstable at the default in %d of"
+                    + " %d, gives at most %.3f mJ: %s%n",
+                name,
+                own.stream().mapToDouble(MarginRow::margin).min().orElse(0),
+                own.stream().filter(row -> !row.atDefault().stable()).count(),
+                own.size(),
+                own.stream().mapToDouble(given::get).max().orElse(0),
+                own.stream().allMatch(row -> row.trial().isPassive(given.get(row)))
+                    ? "passive"
+                    : "active"));
+  }
+
+  /** Returns the cells of a row whose energy is measured. */
+  static <T extends FeltTrial> List<Object> feltCells(MarginRow<T> row, double givenMillijoule) {
     List<Object> cells = new ArrayList<>(row.cells());
     cells.add(givenMillijoule);
-    cells.add(isPassive(row.trial(), givenMillijoule) ? "passive" : "active");
+    cells.add(row.trial().isPassive(givenMillijoule) ? "passive" : "active");
     return cells;
   }
 
-  /** Whether a trial counts as passive if its contact gave this energy to the hand. */
-  static boolean isPassive(FeelTrial trial, double givenMillijoule) {
-    return !trial.feel().driven() && givenMillijoule <= PASSIVE_MILLIJOULE;
+  private static String feel(FeelTrial trial) {
+    return String.format(
+        Locale.ROOT, "feel %s at %.0f Hz", trial.feel().name(), trial.sampling().rateHz());
   }
 
   private static void reportCarving(Path folder, List<CarveTrial.Result> results, PrintWriter out)
@@ -185,15 +183,15 @@ public final class StabilityRun {
                 own.stream().mapToDouble(r -> r.outcome().excursionMm()).max().orElse(0)));
   }
 
-  private static String condition(MarginRow<ToolTrial> row) {
-    ToolTrial trial = row.trial();
+  private static String condition(ToolTrial trial) {
     return String.format(
         Locale.ROOT,
-        "%s, %.0f mm, with %s, grip %s",
+        "%s, %.0f mm, with %s, grip %s, at %.0f Hz",
         trial.held().name(),
         trial.held().lengthMm(),
         trial.device().name(),
-        trial.grip().name());
+        trial.grip().name(),
+        trial.sampling().rateHz());
   }
 
   private static void reportLongRuns(boolean quick, PrintWriter out, PrintWriter progress) {

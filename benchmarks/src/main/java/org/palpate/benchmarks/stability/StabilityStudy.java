@@ -5,8 +5,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import org.palpate.benchmarks.stability.ToolTrial.Held;
 import org.palpate.benchmarks.stability.Trial.SolverChoice;
+import org.palpate.force.EffectPlan;
+import org.palpate.force.effect.Effects;
+import org.palpate.force.guide.GuideStrength;
+import org.palpate.force.guide.Guides;
+import org.palpate.geometry.Vec3;
 import org.palpate.proxy.exact.GuardedSolver;
 
 /**
@@ -20,6 +24,9 @@ public final class StabilityStudy {
   public static final SolverChoice GUARDED = new SolverChoice("guarded", GuardedSolver::new);
 
   private static final Sampling DEFAULT_SAMPLING = new Sampling(1000, 1);
+
+  /** The length of the rods that have mass, a guide or an effect. */
+  private static final double ROD_MM = 20;
 
   private final boolean quick;
   private final List<SolverChoice> solvers;
@@ -132,7 +139,7 @@ public final class StabilityStudy {
   }
 
   /** Sweeps the length of a rod, and devices by name, mass, damping, grip and delay. */
-  public List<MarginRow<ToolTrial>> tools() {
+  List<MarginRow<ToolTrial>> tools() {
     double[] lengthsMm = quick ? new double[] {0, 60} : new double[] {0, 20, 60, 120};
     double[] massFactors = quick ? new double[] {2} : new double[] {0.5, 1, 2};
     double[] dampingFactors = quick ? new double[] {0.25} : new double[] {0.25, 1, 4};
@@ -144,7 +151,7 @@ public final class StabilityStudy {
           for (int delay = quick ? 2 : 1; delay <= 2; delay++) {
             Sampling sampling = new Sampling(DEFAULT_SAMPLING.rateHz(), delay);
             for (DeviceModel varied : varied(device, massFactors, dampingFactors)) {
-              Held rod = Held.rod(lengthMm);
+              HeldTool rod = HeldRod.of(lengthMm);
               rows.add(MarginRow.of(new ToolTrial(varied, grip, sampling, rod)));
             }
           }
@@ -154,33 +161,69 @@ public final class StabilityStudy {
     return rows;
   }
 
-  /** Sweeps needles and rods with mass, with devices by name and both grips. */
-  public List<MarginRow<ToolTrial>> heldTools() {
-    List<Held> tools = List.of(Held.NEEDLE, Held.rod(20, 0.05), Held.rod(20, 0.3));
+  /** Sweeps needles, rods with mass and rods with effects: devices by name, grips and rates. */
+  List<MarginRow<ToolTrial>> heldTools() {
     List<MarginRow<ToolTrial>> rows = new ArrayList<>();
-    for (Held tool : tools) {
-      for (DeviceModel device : quick ? DeviceModel.KNOWN.subList(0, 2) : DeviceModel.KNOWN) {
-        progress.accept("tools: " + device.name() + " " + tool.name());
-        for (Grip grip : quick ? List.of(Grip.LIGHT) : List.of(Grip.LIGHT, Grip.FIRM)) {
-          rows.add(MarginRow.of(new ToolTrial(device, grip, DEFAULT_SAMPLING, tool)));
+    for (Sampling sampling : feelSamplings()) {
+      for (HeldTool tool : sampling.equals(DEFAULT_SAMPLING) ? heldToolKinds() : fastToolKinds()) {
+        for (DeviceModel device : feelDevices()) {
+          progress.accept(
+              "tools: " + device.name() + " " + tool.name() + " rate=" + sampling.rateHz());
+          for (Grip grip : feelGrips()) {
+            rows.add(MarginRow.of(new ToolTrial(device, grip, sampling, tool)));
+          }
         }
       }
     }
     return rows;
   }
 
-  /** Sweeps guides, effects and masses, with devices by name and both grips. */
+  /** Returns a needle, and rods of one length with mass, a guide or an effect. */
+  private static List<HeldTool> heldToolKinds() {
+    EffectPlan align = Guides.align(new Vec3(1, 0, 0), GuideStrength.STANDARD);
+    List<HeldTool> tools = new ArrayList<>(fastToolKinds());
+    tools.add(HeldRod.of(ROD_MM, "guide align", align));
+    tools.add(HeldRod.of(ROD_MM, "viscosity 0.002", Effects.viscosity(0.002)));
+    return tools;
+  }
+
+  /** Returns the tools that are also studied above 1 kHz. */
+  private static List<HeldTool> fastToolKinds() {
+    return List.of(new HeldNeedle(), HeldRod.of(ROD_MM, 0.05), HeldRod.of(ROD_MM, 0.3));
+  }
+
+  /** Sweeps guides, effects and masses: devices by name, both grips and rates. */
   public List<MarginRow<FeelTrial>> feel() {
     List<MarginRow<FeelTrial>> rows = new ArrayList<>();
-    for (DeviceModel device : quick ? DeviceModel.KNOWN.subList(0, 2) : DeviceModel.KNOWN) {
-      for (Grip grip : quick ? List.of(Grip.LIGHT) : List.of(Grip.LIGHT, Grip.FIRM)) {
-        progress.accept("feel: " + device.name() + " grip=" + grip.name());
-        for (FeelTrial.Feel feel : FeelTrial.feels()) {
-          rows.add(MarginRow.of(new FeelTrial(device, grip, DEFAULT_SAMPLING, feel)));
+    for (Sampling sampling : feelSamplings()) {
+      for (DeviceModel device : feelDevices()) {
+        for (Grip grip : feelGrips()) {
+          progress.accept(
+              "feel: " + device.name() + " grip=" + grip.name() + " rate=" + sampling.rateHz());
+          for (FeelTrial.Feel feel : FeelTrial.feels()) {
+            if (sampling.equals(DEFAULT_SAMPLING) || feel.isStudiedFast()) {
+              rows.add(MarginRow.of(new FeelTrial(device, grip, sampling, feel)));
+            }
+          }
         }
       }
     }
     return rows;
+  }
+
+  /** Returns the rates at which needles, mass, guides and effects are studied. */
+  private List<Sampling> feelSamplings() {
+    return quick
+        ? List.of(DEFAULT_SAMPLING)
+        : List.of(DEFAULT_SAMPLING, new Sampling(5_000, 1), new Sampling(10_000, 1));
+  }
+
+  private List<DeviceModel> feelDevices() {
+    return quick ? DeviceModel.KNOWN.subList(0, 2) : DeviceModel.KNOWN;
+  }
+
+  private List<Grip> feelGrips() {
+    return quick ? List.of(Grip.LIGHT) : List.of(Grip.LIGHT, Grip.FIRM);
   }
 
   /** Sweeps the rate of a burr that cuts and the stiffness, with devices by name and both grips. */

@@ -15,7 +15,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.benchmarks.report.StudyTable;
 import org.palpate.benchmarks.stability.StabilityStudy.TheoryRow;
-import org.palpate.benchmarks.stability.ToolTrial.Held;
 import org.palpate.device.DeviceState;
 import org.palpate.device.ReadStatus;
 import org.palpate.geometry.Quaternion;
@@ -124,7 +123,7 @@ class ClosedLoopTest {
     for (DeviceModel device : DeviceModel.KNOWN) {
       for (double lengthMm : new double[] {0, 60}) {
         ToolTrial trial =
-            new ToolTrial(device, Grip.FIRM, new Sampling(1000, 1), Held.rod(lengthMm));
+            new ToolTrial(device, Grip.FIRM, new Sampling(1000, 1), HeldRod.of(lengthMm));
         ClosedLoop.Outcome outcome = trial.run(500 * device.maxStiffnessNewtonPerMm());
         assertTrue(outcome.stable(), device.name() + " rod " + lengthMm + " " + outcome);
         assertTrue(outcome.riseNewtonPerMs() > 0, device.name() + " touches nothing");
@@ -135,7 +134,7 @@ class ClosedLoopTest {
   @Test
   void aNeedleRestsInTissueAtTheDefaultStiffnessOfEveryDevice() {
     for (DeviceModel device : DeviceModel.KNOWN) {
-      ToolTrial trial = new ToolTrial(device, Grip.LIGHT, new Sampling(1000, 1), Held.NEEDLE);
+      ToolTrial trial = new ToolTrial(device, Grip.LIGHT, new Sampling(1000, 1), new HeldNeedle());
       ClosedLoop.Outcome outcome = trial.run(500 * device.maxStiffnessNewtonPerMm());
       assertTrue(outcome.stable(), device.name() + " " + outcome);
       assertTrue(outcome.riseNewtonPerMs() > 0, device.name() + " touches nothing");
@@ -148,7 +147,7 @@ class ClosedLoopTest {
     Set<String> active = new TreeSet<>();
     for (FeelTrial.Feel feel : FeelTrial.feels()) {
       FeelTrial trial = new FeelTrial(touch, Grip.LIGHT, new Sampling(1000, 1), feel);
-      if (!StabilityRun.isPassive(trial, trial.givenMillijoule(200))) {
+      if (!trial.isPassive(trial.givenMillijoule(200))) {
         active.add(feel.name().replaceFirst(" .*", ""));
       }
     }
@@ -230,13 +229,14 @@ class ClosedLoopTest {
             true);
     MarginRow<Trial> row =
         new MarginRow<>(trial, 200, 500, new ClosedLoop.Outcome(true, 0.01, 0.2, 0.03));
-    ToolTrial held = new ToolTrial(trial.device(), Grip.FIRM, trial.sampling(), Held.rod(0));
+    ToolTrial held = new ToolTrial(trial.device(), Grip.FIRM, trial.sampling(), HeldRod.of(0));
     MarginRow<ToolTrial> tool = new MarginRow<>(held, 200, 300, row.atDefault());
-    StudyTable.STABILITY_TOOLS.write(folder, List.of(tool), MarginRow::cells);
+    StudyTable.STABILITY_TOOLS.write(
+        folder, List.of(tool), one -> StabilityRun.feltCells(one, -0.5));
     assertTrue(
         Files.readAllLines(folder.resolve("stability-tools.csv"))
             .get(1)
-            .endsWith(",1000.0,1,0.05,0.5,200.0,300.0,1.5,0.01,0.2,0.03"));
+            .endsWith(",1000.0,1,0.05,0.5,200.0,300.0,1.5,0.01,0.2,0.03,-0.5,passive"));
     TheoryRow theory = new TheoryRow(new Sampling(1000, 1), 2, 1200, 1333);
     StudyTable.STABILITY_DEVICES.write(folder, List.of(row), MarginRow::cells);
     StudyTable.STABILITY_THEORY.write(folder, List.of(theory), TheoryRow::cells);
