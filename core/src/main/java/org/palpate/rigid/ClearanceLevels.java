@@ -2,10 +2,10 @@ package org.palpate.rigid;
 
 import org.palpate.body.Body;
 import org.palpate.body.BrickClearance;
+import org.palpate.body.EmptyCubes;
 import org.palpate.body.GrownSolids;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.collision.DeviceVoxels;
-import org.palpate.collision.EmptyBox;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
@@ -34,6 +34,9 @@ final class ClearanceLevels {
 
   /** Lower bounds of the distance to the cube of the highest level, in its cells. */
   final BrickClearance clearance;
+
+  /** Empty cubes among the cells of the highest level. */
+  private final EmptyCubes emptyCubes;
 
   /** The cube of the highest level on the device that judges legs. */
   final DeviceVoxels onDevice;
@@ -64,6 +67,7 @@ final class ClearanceLevels {
       cubes[level] = grown[level].cells();
     }
     clearance = highest == 0 ? body.clearance() : new BrickClearance(cubes[highest]);
+    emptyCubes = new EmptyCubes(cubes[highest]);
     onDevice = device.keep(cubes[highest]);
     cellMm = Math.min(cellMm(highest, 0), Math.min(cellMm(highest, 1), cellMm(highest, 2)));
     editsSeen = body.edits();
@@ -131,7 +135,7 @@ final class ClearanceLevels {
 
   /** Returns half the edge of an empty cube around a point, in cells of the highest level. */
   double emptyAround(double x, double y, double z) {
-    double near = EmptyBox.around(cubes[highest], x, y, z);
+    double near = emptyCubes.around(x, y, z);
     return near >= 2 ? Math.max(near, clearance.at(x, y, z)) : near;
   }
 
@@ -169,6 +173,7 @@ final class ClearanceLevels {
     for (long edit = Math.max(editsSeen, body.oldestEdit() - 1); edit < edits; edit++) {
       updateGrown(body.change(edit));
     }
+    emptyCubes.forget();
     editsSeen = edits;
   }
 
