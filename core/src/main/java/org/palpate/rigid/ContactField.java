@@ -68,7 +68,9 @@ final class ContactField {
     body = levels.body;
     GridMetric metric = body.metric();
     edgeMm = metric.shortestEdgeMm();
-    field = grey == null ? OccupancyField.ofBits(metric) : OccupancyField.ofGrey(metric, grey);
+    OccupancyField plain =
+        grey == null ? OccupancyField.ofBits(metric) : OccupancyField.ofGrey(metric, grey);
+    field = plain.forManyPlaces();
     solids = new CollisionScene(List.of(body.bits()));
     field.use(solids);
   }

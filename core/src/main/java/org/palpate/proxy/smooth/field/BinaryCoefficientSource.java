@@ -110,6 +110,11 @@ final class BinaryCoefficientSource implements CoefficientSource {
     return window.holdsFor(seed);
   }
 
+  @Override
+  public boolean holdsForEverySeed() {
+    return window.holdsForEverySeed();
+  }
+
   /**
    * Weighs the window by second sums. The convolution of boxes of w and m voxels is the second
    * difference, w and m voxels apart, of what was summed up twice. So each row is added twice, and

@@ -225,6 +225,11 @@ final class BinaryWindow {
     return !anySolid || connected || !findSeed(seed);
   }
 
+  /** Whether the same voxels count as reached with every seed. */
+  boolean holdsForEverySeed() {
+    return reached == free ? !anySolid || connected : isAllFlooded();
+  }
+
   /**
    * Finds the cell from which a seed reaches empty space. It looks at the empty cells of the voxel
    * of the seed. Of those nearest to the middle along the first cut, it takes the one nearest along

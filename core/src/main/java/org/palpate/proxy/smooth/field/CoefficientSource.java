@@ -17,6 +17,9 @@ interface CoefficientSource {
   /** Whether the coefficients that were loaded last are the same for this seed cell. */
   boolean holdsFor(SeedCell seed);
 
+  /** Whether the coefficients that were loaded last are surely the same for every seed cell. */
+  boolean holdsForEverySeed();
+
   /** Forgets all cached voxels. */
   void forget();
 

@@ -158,6 +158,11 @@ final class GreyCoefficientSource implements CoefficientSource {
   }
 
   @Override
+  public boolean holdsForEverySeed() {
+    return window.holdsForEverySeed();
+  }
+
+  @Override
   public void forget() {
     window.forget();
     cache.forget();

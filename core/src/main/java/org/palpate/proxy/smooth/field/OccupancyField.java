@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
@@ -86,6 +87,28 @@ public final class OccupancyField {
     inverseZ = cellsZ / edges.z;
     level = new IsoLevel(source, edges, maxDeviations);
     sample = new FieldSample(level);
+  }
+
+  /** Creates a field over the same coefficients that remembers some of them. */
+  private OccupancyField(OccupancyField field) {
+    cells = field.cells;
+    source = new KeptCoefficients(field.source);
+    cellsX = field.cellsX;
+    cellsY = field.cellsY;
+    cellsZ = field.cellsZ;
+    inverseX = field.inverseX;
+    inverseY = field.inverseY;
+    inverseZ = field.inverseZ;
+    level = field.level;
+    sample = field.sample;
+  }
+
+  /**
+   * Returns this field with a memory for many places that are evaluated in turn. This one must not
+   * be used any more.
+   */
+  public OccupancyField forManyPlaces() {
+    return new OccupancyField(this);
   }
 
   /** Returns a field that is made from the voxels' bits alone. */
@@ -184,7 +207,10 @@ public final class OccupancyField {
     return sample;
   }
 
-  /** Returns how many windows of voxels were read so far; they are most of the cost. */
+  /**
+   * Returns how many windows of voxels were read so far, or taken from the memory of a field {@link
+   * #forManyPlaces}; reading is most of the cost.
+   */
   public long windowReads() {
     return windowReads;
   }
@@ -299,5 +325,85 @@ public final class OccupancyField {
       sample.addLayer(layer, w, f, fx, fy, fxx, fxy, fyy);
     }
     sample.scale(inverseX, inverseY, inverseZ);
+  }
+
+  /**
+   * A source that remembers the coefficients around some corners. It is made for the contacts of a
+   * tool: they are evaluated in turn, each near where it was in the frame before. The answers are
+   * those of the source behind it, to the last bit.
+   *
+   * <p>Each corner has one place, which it shares with others; the one that was loaded last keeps
+   * it. Haptic thread only; allocates nothing after construction.
+   */
+  private static final class KeptCoefficients implements CoefficientSource {
+
+    /** The binary logarithm of the number of places. */
+    private static final int PLACES_SHIFT = 8;
+
+    private static final int PLACES = 1 << PLACES_SHIFT;
+    private static final int UNUSED_HASH_BITS = Integer.SIZE - PLACES_SHIFT;
+
+    /** 2^32 divided by the golden ratio: multiples of it are spread evenly. */
+    private static final int SPREAD = 0x9E37_79B9;
+
+    private final CoefficientSource source;
+    private final int[] cornerX = new int[PLACES];
+    private final int[] cornerY = new int[PLACES];
+    private final int[] cornerZ = new int[PLACES];
+    private final SeedCell[] seeds = new SeedCell[PLACES];
+    private final boolean[] forEverySeed = new boolean[PLACES];
+    private final boolean[] isTaken = new boolean[PLACES];
+    private final boolean[] anySolid = new boolean[PLACES];
+    private final double[] values = new double[COEFFICIENTS * PLACES];
+
+    /** The place of the coefficients that were loaded last. */
+    private int last;
+
+    KeptCoefficients(CoefficientSource source) {
+      this.source = source;
+      Arrays.setAll(seeds, place -> new SeedCell());
+    }
+
+    @Override
+    public boolean load(
+        CollisionScene scene, int x, int y, int z, SeedCell seed, double[] coefficients) {
+      int hash = (x + SPREAD * (y + SPREAD * z)) * SPREAD;
+      last = hash >>> UNUSED_HASH_BITS;
+      boolean isThere = cornerX[last] == x && cornerY[last] == y && cornerZ[last] == z;
+      if (!(isThere && holdsFor(seed))) {
+        cornerX[last] = x;
+        cornerY[last] = y;
+        cornerZ[last] = z;
+        seeds[last].set(seed);
+        anySolid[last] = source.load(scene, x, y, z, seed, coefficients);
+        forEverySeed[last] = source.holdsForEverySeed();
+        isTaken[last] = true;
+        System.arraycopy(coefficients, 0, values, COEFFICIENTS * last, COEFFICIENTS);
+      } else if (anySolid[last]) {
+        System.arraycopy(values, COEFFICIENTS * last, coefficients, 0, COEFFICIENTS);
+      }
+      return anySolid[last];
+    }
+
+    @Override
+    public boolean holdsFor(SeedCell seed) {
+      return isTaken[last] && (forEverySeed[last] || seeds[last].isSame(seed));
+    }
+
+    @Override
+    public boolean holdsForEverySeed() {
+      return isTaken[last] && forEverySeed[last];
+    }
+
+    @Override
+    public void forget() {
+      Arrays.fill(isTaken, false);
+      source.forget();
+    }
+
+    @Override
+    public double sigmaEdges(int axis) {
+      return source.sigmaEdges(axis);
+    }
   }
 }

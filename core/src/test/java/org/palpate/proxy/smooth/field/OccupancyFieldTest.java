@@ -128,6 +128,37 @@ class OccupancyFieldTest {
   }
 
   @Test
+  void aFieldForManyPlacesGivesTheSameAnswers() {
+    compareManyPlaces(randomBits(0.3), UNIT);
+    compareManyPlaces(randomBits(0.6), UNIT);
+    compareManyPlaces(randomBits(0.01), new GridMetric(1, 1, 2));
+    compareManyPlaces(gentleFaces(), new GridMetric(0.7, 0.7, 1.4));
+  }
+
+  /** Points return to few corners from other seeds, while voxels change from time to time. */
+  private void compareManyPlaces(BitCube bits, GridMetric metric) {
+    CollisionScene scene = new CollisionScene(List.of(bits));
+    OccupancyField many = OccupancyField.ofBits(metric).forManyPlaces();
+    OccupancyField plain = OccupancyField.ofBits(metric);
+    many.use(scene);
+    plain.use(scene);
+    for (int n = 0; n < 2000; n++) {
+      if (n % 250 == 249) {
+        bits.set(random.nextInt(27), random.nextInt(29), random.nextInt(31));
+        many.forget();
+        plain.forget();
+      }
+      Vec3 point = new Vec3(2 + 5 * random.nextDouble(), 9.2 + random.nextDouble(), 12.3);
+      Vec3 inSeed = new Vec3(near(point.x) + 0.5, near(point.y) + 0.5, near(point.z) + 0.5);
+      FieldSample expected = plain.evaluate(cell(inSeed), point);
+      FieldSample sample = many.evaluate(cell(inSeed), point);
+      assertEquals(expected.occupancy(), sample.occupancy(), "seed=" + SEED + " at " + point);
+      assertEquals(expected.gx(), sample.gx(), "seed=" + SEED + " at " + point);
+      assertEquals(expected.hyz(), sample.hyz(), "seed=" + SEED + " at " + point);
+    }
+  }
+
+  @Test
   void theSameQuestionIsNotEvaluatedAgain() {
     CollisionScene scene = new CollisionScene(List.of(randomBits(0.3)));
     OccupancyField field = field(scene, UNIT);
