@@ -241,7 +241,7 @@ final class ContactConstraints {
   /**
    * Raises the height that a surface contact requires, because its leg has hit a voxel.
    *
-   * @return false if it was raised by all of {@link #RAISES_EDGES} before
+   * @return false if it was raised by all of {@link #RAISES_EDGES} before, or its rise was reduced
    */
   boolean raise(int c) {
     if (raises[c] == RAISES_EDGES.length) {
@@ -262,13 +262,18 @@ final class ContactConstraints {
     return problem.along(row(c)) < problem.b[row(c)] - VIOLATED_EDGES * edgeMm;
   }
 
-  /** Halves the rises that contacts require; with {@code none}, lets none require a rise. */
+  /**
+   * Halves the rises that contacts require; with {@code none}, lets none require a rise. A surface
+   * contact whose rise is reduced is not raised again, because that would be reduced as well: if
+   * its leg still hits a voxel, a contact with the face must follow.
+   */
   void relaxRises(boolean none) {
     for (int c = 0; c < count; c++) {
       double need = problem.b[row(c)];
       boolean isHard = problem.a[row(c) * UNKNOWNS + DEPTH] == 0;
       double kept = isHard ? 0 : depthMm;
       if (need > kept) {
+        raises[c] = face[c] ? raises[c] : RAISES_EDGES.length;
         problem.b[row(c)] = none ? kept : kept + 0.5 * (need - kept);
       }
     }

@@ -54,7 +54,7 @@ class WholeToolTheoremTest {
       Pose start = new Pose();
       start.translation.set(200, 200, 200);
       assertTrue(solver.place(start, motion));
-      HostilePoses device = new HostilePoses(random, 30);
+      HostilePoses device = new HostilePoses(random, 22);
       for (int frame = 0; frame < FRAMES_PER_ROUND; frame++) {
         solver.follow(device.next(), motion);
         contacts += motion.contact() ? 1 : 0;
