@@ -155,6 +155,9 @@ public final class CollisionScene {
    * @param brickX brick coordinates: voxel coordinates shifted right by {@link BitCube#BRICK_SHIFT}
    */
   public long brick(int brickX, int brickY, int brickZ) {
+    if (cubes.length == 1) {
+      return cubes[0].brick(brickX, brickY, brickZ);
+    }
     int count = findCandidatesOfWindow(brickX << 2, brickY << 2, brickZ << 2);
     long word = 0;
     for (int n = 0; n < count; n++) {

@@ -210,10 +210,10 @@ final class BrickCopy {
     long b = bricks[first + 1];
     long c = bricks[first + 2];
     long d = bricks[first + 3];
-    boolean empty = (a | b | c | d) == 0;
+    boolean uniform = (a | b | c | d) == 0 || (a & b & c & d) == -1;
     for (int layer = 0; layer < BRICK_EDGE; layer++) {
       words[(BRICK_EDGE * z + layer) * BRICKS + y] =
-          empty ? 0 : rowsOfBricks(a, b, c, d, EDGE * layer);
+          uniform ? a : rowsOfBricks(a, b, c, d, EDGE * layer);
     }
   }
 

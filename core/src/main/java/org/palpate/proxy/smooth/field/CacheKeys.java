@@ -2,23 +2,37 @@ package org.palpate.proxy.smooth.field;
 
 /**
  * The keys of a direct-mapped cache over three integer coordinates. Coordinates that are equal
- * modulo 16 share a slot; the one that was set last holds it.
+ * modulo the edge of the cache share a slot; the one that was set last holds it.
  */
 final class CacheKeys {
-  /** The slots along each axis. */
-  private static final int EDGE = 16;
-
-  /** All slots. */
-  static final int SLOTS = EDGE * EDGE * EDGE;
-
-  private static final int MASK = EDGE - 1;
   private static final int LONGS = 2;
   private static final long LOW_INT = 0xFFFF_FFFFL;
 
+  /** The number of bits that hold a coordinate within the cache. */
+  private final int shift;
+
+  private final int mask;
+
   /** For each slot x and y in one word, z and the generation in the next. */
-  private final long[] keys = new long[LONGS * SLOTS];
+  private final long[] keys;
 
   private int generation = 1;
+
+  /**
+   * Creates keys without a position.
+   *
+   * @param edge the slots along each axis, a power of two
+   */
+  CacheKeys(int edge) {
+    shift = Integer.numberOfTrailingZeros(edge);
+    mask = edge - 1;
+    keys = new long[LONGS * edge * edge * edge];
+  }
+
+  /** Returns the number of slots. */
+  int slots() {
+    return keys.length / LONGS;
+  }
 
   /** Forgets all keys. */
   void forget() {
@@ -26,8 +40,8 @@ final class CacheKeys {
   }
 
   /** Returns the slot for a position. */
-  static int slot(int x, int y, int z) {
-    return ((z & MASK) * EDGE + (y & MASK)) * EDGE + (x & MASK);
+  int slot(int x, int y, int z) {
+    return ((z & mask) << shift | (y & mask)) << shift | (x & mask);
   }
 
   /** Whether a slot holds a position; otherwise it does from now on. */

@@ -206,13 +206,14 @@ final class CellCorrections {
   /** Adds the corrections of some cells of a brick that begins at a cell of the window. */
   private void add(Source source, int slot, long cells, int brickX, int brickY, int brickZ) {
     boolean all = !window.anyUnreached();
+    Slots found = source.slots();
     for (long left = cells; left != 0; left &= left - 1) {
       int bit = Long.numberOfTrailingZeros(left);
       int x = brickX + (bit & 3);
       int y = brickY + (bit >> 2 & 3);
       int z = brickZ + (bit >> 4);
       if (all || source.counts(window, x, y, z)) {
-        rows[EDGE * z + y] += source.slots().correction(slot, bit) * weights[x];
+        rows[EDGE * z + y] += found.correction(slot, bit) * weights[x];
         layers |= 1 << z;
       }
     }

@@ -1,5 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.Arrays;
+
 /**
  * Measures distances within a slice from the middle of a pixel to the outline between solid and
  * empty pixels, in shortest voxel edges. The outline lies half a pixel before the nearest pixel of
@@ -16,6 +18,9 @@ final class SliceOutline {
 
   /** The most columns of a tile that are searched one by one, which takes less time then. */
   private static final int FEW_COLUMNS = 4;
+
+  /** The most pixels along a row that a search for the nearest one returns. */
+  private static final int FARTHEST = 64;
 
   /** The bit of the pixel from which is searched in a row that was turned. */
   private static final int MIDDLE = SliceBits.EDGE / 2;
@@ -42,6 +47,15 @@ final class SliceOutline {
   /** The same for pixels that {@link NearestPixels} would find. */
   private final double endOfNear;
 
+  /** The squared lengths of offsets along u, in pixels up to {@link #FARTHEST}. */
+  private final double[] squaresU = new double[FARTHEST + 1];
+
+  /** The same along v. */
+  private final double[] squaresV = new double[FARTHEST + 1];
+
+  /** The distances to the outline before a pixel, for each offset within reach; u fastest. */
+  private final double[] distances;
+
   /** The farthest that rounding moves a pixel on a straight line. */
   private final double mostRounded;
 
@@ -67,6 +81,10 @@ final class SliceOutline {
     reachV = pixels(edges.v());
     reachBricks = (Math.max(reachU, reachV) + 3) / 4;
     mostRounded = edges.halfDiagonal() + ROUNDING;
+    Arrays.setAll(squaresU, along -> edges.square(along, 0));
+    Arrays.setAll(squaresV, off -> edges.square(0, off));
+    distances = new double[(reachU + 1) * (reachV + 1)];
+    Arrays.setAll(distances, n -> edges.toOutline(n % (reachU + 1), n / (reachU + 1)));
   }
 
   /** Returns the most pixels that a search reads to one side of a pixel, given their edge. */
@@ -116,7 +134,7 @@ final class SliceOutline {
       int column = Integer.numberOfTrailingZeros(left);
       if (findNearest(
           4 * brickU + (column & 3), 4 * brickV + (column >> 2), slice, solid, endOfNear)) {
-        dest[column] = edges.toOutline(nearestAlong, nearestOff);
+        dest[column] = distanceToNearest();
         found |= 1 << column;
       }
     }
@@ -156,7 +174,7 @@ final class SliceOutline {
    */
   double distance(int u, int v, int slice, boolean solid) {
     boolean found = findNearest(u, v, slice, solid, endSquare);
-    return found ? Math.min(reach, edges.toOutline(nearestAlong, nearestOff)) : reach;
+    return found ? Math.min(reach, distanceToNearest()) : reach;
   }
 
   /**
@@ -169,10 +187,10 @@ final class SliceOutline {
   private boolean findNearest(int u, int v, int slice, boolean solid, double end) {
     long flip = solid ? 0 : -1;
     double best = end;
-    for (int off = 0; off <= reachV && edges.square(0, off) < best; off++) {
+    for (int off = 0; off <= reachV && squaresV[off] < best; off++) {
       long both = (bits.row(v + off, slice) ^ flip) | (bits.row(v - off, slice) ^ flip);
       int along = pixelsAlong(Long.rotateRight(both, u - MIDDLE));
-      double square = edges.square(along, off);
+      double square = squaresU[along] + squaresV[off];
       if (square < best) {
         best = square;
         nearestAlong = along;
@@ -180,6 +198,11 @@ final class SliceOutline {
       }
     }
     return best < end;
+  }
+
+  /** Returns the distance to the outline before the nearest pixel that was found last. */
+  private double distanceToNearest() {
+    return distances[nearestOff * (reachU + 1) + nearestAlong];
   }
 
   /** Returns how far from the middle of a row the nearest set bit is; over the reach if none. */

@@ -23,12 +23,16 @@ final class Terraces implements CellCorrections.Source {
   /** Surfaces are not bent, however long a terrace is: the outlines of two layers give them. */
   private static final double NEVER_BENT = Double.POSITIVE_INFINITY;
 
-  private static final int BRICKS = 64;
+  /** The cached bricks along each axis, see {@link ThinSlices}. */
+  private static final int BRICKS = 32;
 
   /** The number of the last column of a tile along u or v. */
   private static final int LAST = 3;
 
   private static final long SOLID = -1;
+
+  /** The four layers of a brick, a bit each. */
+  private static final int ALL_LAYERS = 0xF;
 
   /** The cells of a brick's first layer across each axis. */
   private static final long LAYER_X = 0x1111_1111_1111_1111L;
@@ -39,8 +43,10 @@ final class Terraces implements CellCorrections.Source {
   private final BrickCopy copy;
   private final Axis[] axes;
 
-  /** The corrections of each brick of the copy. */
-  private final CellCorrections.Slots slots = new CellCorrections.Slots(BRICKS);
+  /** The bricks that have a terrace and whose corrections are known. */
+  private final CacheKeys keys = new CacheKeys(BRICKS);
+
+  private final CellCorrections.Slots slots = new CellCorrections.Slots(keys.slots());
 
   /**
    * Creates the corrections of the cells of a grid.
@@ -63,6 +69,7 @@ final class Terraces implements CellCorrections.Source {
 
   @Override
   public void forget() {
+    keys.forget();
     for (Axis axis : axes) {
       axis.slices.forget();
     }
@@ -71,46 +78,36 @@ final class Terraces implements CellCorrections.Source {
   @Override
   public boolean find(CollisionScene scene, int number, int x, int y, int z) {
     long brick = copy.brick(number);
-    boolean mayHaveTerrace =
-        brick == 0 ? isBesideWholeLayer(scene, number) : brick != SOLID && hasEmptyLayer(brick);
-    return mayHaveTerrace && correct(scene, brick, number, x, y, z);
+    if (brick == SOLID) {
+      return false;
+    }
+    boolean any = false;
+    for (Axis axis : axes) {
+      axis.findLayers(scene, copy, brick, number);
+      any |= axis.hasTerrace();
+    }
+    return any && isCorrected(scene, x, y, z);
   }
 
-  /** Whether a layer beside a brick is solid. */
-  private boolean isBesideWholeLayer(CollisionScene scene, int number) {
-    return isSolid(copy.beside(scene, number, 0, -1), LAYER_X << LAST)
-        || isSolid(copy.beside(scene, number, 0, 1), LAYER_X)
-        || isSolid(copy.beside(scene, number, 1, -1), LAYER_Y << (4 * LAST))
-        || isSolid(copy.beside(scene, number, 1, 1), LAYER_Y)
-        || isSolid(copy.beside(scene, number, 2, -1), LAYER_Z << (16 * LAST))
-        || isSolid(copy.beside(scene, number, 2, 1), LAYER_Z);
+  /** Whether any cell of a brick that has a terrace is corrected. */
+  private boolean isCorrected(CollisionScene scene, int x, int y, int z) {
+    int slot = keys.slot(x, y, z);
+    if (!keys.holdsElseSet(slot, x, y, z)) {
+      slots.clear(slot);
+      for (Axis axis : axes) {
+        if (axis.hasTerrace()) {
+          axis.slices.use(scene);
+          correctTiles(axis, x, y, z, slot);
+        }
+      }
+    }
+    return slots.corrected(slot) != 0;
   }
 
-  private static boolean isSolid(long brick, long layer) {
-    return (~brick & layer) == 0;
-  }
-
-  /** Whether a layer of a brick across any axis is empty. */
-  private static boolean hasEmptyLayer(long brick) {
-    long alongZ = brick | brick >>> 32;
-    alongZ |= alongZ >>> 16;
-    long acrossX = alongZ | alongZ >>> 8;
-    acrossX |= acrossX >>> 4;
-    long alongX = brick | brick >>> 1;
-    alongX |= alongX >>> 2;
-    long acrossY = alongX | alongX >>> 32;
-    acrossY |= acrossY >>> 16;
-    long acrossZ = alongX | alongX >>> 4;
-    acrossZ |= acrossZ >>> 8;
-    return (acrossX & 0xF) != 0xF
-        || (acrossY & 0x1111) != 0x1111
-        || (acrossZ & 0x0001_0001_0001_0001L) != 0x0001_0001_0001_0001L;
-  }
-
-  /** The slots are a ring buffer along each axis, so those of a copy are all different. */
+  /** Bricks of one copy have different slots. */
   @Override
   public int slotOf(CollisionScene scene, int x, int y, int z) {
-    return BrickCopy.number(x & 3, y & 3, z & 3);
+    return keys.slot(x, y, z);
   }
 
   @Override
@@ -124,44 +121,16 @@ final class Terraces implements CellCorrections.Source {
     return window.isReached(x, y, z);
   }
 
-  /** Corrects the cells of a brick; returns whether there are any. */
-  private boolean correct(CollisionScene scene, long brick, int number, int x, int y, int z) {
-    int slot = slotOf(scene, x, y, z);
-    slots.clear(slot);
-    for (Axis axis : axes) {
-      int empty = axis.wholeLayers(~brick);
-      if (empty != 0) {
-        int solid = axis.wholeLayers(brick) << 1;
-        if ((empty & 1) != 0) {
-          solid |= axis.isWhole(copy.beside(scene, number, axis.number, -1), LAST) ? 1 : 0;
-        }
-        if ((empty & 8) != 0) {
-          solid |= axis.isWhole(copy.beside(scene, number, axis.number, 1), 0) ? 1 << 5 : 0;
-        }
-        if ((empty & (solid | solid >> 2)) != 0) {
-          axis.slices.use(scene);
-          correctTiles(axis, empty, solid, x, y, z, slot);
-        }
-      }
-    }
-    return slots.corrected(slot) != 0;
-  }
-
-  /**
-   * Corrects the cells of a brick that lie on terraces across an axis.
-   *
-   * @param empty its empty layers, a bit each
-   * @param solid the solid layers, from the one below the brick on
-   */
-  private void correctTiles(Axis axis, int empty, int solid, int x, int y, int z, int slot) {
+  /** Corrects the cells of a brick that lie on terraces across an axis. */
+  private void correctTiles(Axis axis, int x, int y, int z, int slot) {
     int u = axis.number == 0 ? z : x;
     int v = axis.number == 1 ? z : y;
     int w = axis.number == 0 ? x : axis.number == 1 ? y : z;
     for (int n = 0; n < 4; n++) {
-      if (((empty & solid) >> n & 1) != 0) {
+      if ((axis.terracesAbove() >> n & 1) != 0) {
         correct(axis, u, v, 4 * w + n, 1, slot);
       }
-      if (((empty & solid >> 2) >> n & 1) != 0) {
+      if ((axis.terracesBelow() >> n & 1) != 0) {
         correct(axis, u, v, 4 * w + n, -1, slot);
       }
     }
@@ -191,37 +160,95 @@ final class Terraces implements CellCorrections.Source {
     private final int number;
 
     /** The cells of the first layer in the word of a brick. */
-    private final long layer;
+    private final long firstLayer;
 
-    /** The distance of neighbouring layers in the word of a brick, bits. */
-    private final int stride;
+    private final long lastLayer;
 
     private final SliceBits slices;
     private final ShapeInterpolation interpolation;
+
+    /** The empty layers of the brick that is looked at, a bit each. */
+    private int empty;
+
+    /** Its solid layers from the one below the brick to the one above it. */
+    private int solid;
 
     /** The heights of the surface above the middle of the solid layer, in cells. */
     private final double[] heights = new double[ShapeInterpolation.COLUMNS];
 
     Axis(int number, BrickSource cells, Vec3 cellEdges) {
       this.number = number;
-      stride = 1 << (2 * number);
-      layer = number == 0 ? LAYER_X : number == 1 ? LAYER_Y : LAYER_Z;
+      firstLayer = number == 0 ? LAYER_X : number == 1 ? LAYER_Y : LAYER_Z;
+      lastLayer = firstLayer << (LAST << (2 * number));
       slices = new SliceBits(cells, number);
       interpolation =
           new ShapeInterpolation(
               slices, PixelEdges.across(number, cellEdges), REACH, 1, NEVER_BENT);
     }
 
-    /** Returns the layers of a brick whose bits are all set, a bit each. */
-    int wholeLayers(long brick) {
-      return (isWhole(brick, 0) ? 1 : 0)
-          | (isWhole(brick, 1) ? 2 : 0)
-          | (isWhole(brick, 2) ? 4 : 0)
-          | (isWhole(brick, 3) ? 8 : 0);
+    /** Finds the empty and the solid layers of a brick of the copy. */
+    void findLayers(CollisionScene scene, BrickCopy copy, long brick, int brickNumber) {
+      empty = brick == 0 ? ALL_LAYERS : ~layersOf(brick) & ALL_LAYERS;
+      solid = brick == 0 ? 0 : (~layersOf(~brick) & ALL_LAYERS) << 1;
+      if ((empty & 1) != 0 && isSolid(copy.beside(scene, brickNumber, number, -1), lastLayer)) {
+        solid |= 1;
+      }
+      if ((empty & 8) != 0 && isSolid(copy.beside(scene, brickNumber, number, 1), firstLayer)) {
+        solid |= 1 << 5;
+      }
     }
 
-    boolean isWhole(long brick, int n) {
-      return isSolid(brick, layer << (n * stride));
+    private static boolean isSolid(long brick, long layer) {
+      return (~brick & layer) == 0;
+    }
+
+    /** Whether an empty layer of the brick lies beside a solid one. */
+    boolean hasTerrace() {
+      return (terracesAbove() | terracesBelow()) != 0;
+    }
+
+    /** Returns the empty layers that lie above a solid one, a bit each. */
+    int terracesAbove() {
+      return empty & solid;
+    }
+
+    /** Returns the empty layers that lie below a solid one, a bit each. */
+    int terracesBelow() {
+      return empty & solid >> 2;
+    }
+
+    /** Returns the layers of a brick that hold a set bit, a bit each. */
+    int layersOf(long brick) {
+      return switch (number) {
+        case 0 -> acrossX(alongZ(brick));
+        case 1 -> acrossY(alongZ(brick));
+        default -> acrossZ(brick);
+      };
+    }
+
+    /** Unites the four layers across z. */
+    private static int alongZ(long brick) {
+      long halves = brick | brick >>> 32;
+      return (int) (halves | halves >>> 16) & 0xFFFF;
+    }
+
+    private static int acrossX(int layer) {
+      int halves = layer | layer >>> 8;
+      return (halves | halves >>> 4) & ALL_LAYERS;
+    }
+
+    private static int acrossY(int layer) {
+      return ((layer & 0xF) != 0 ? 1 : 0)
+          | ((layer & 0xF0) != 0 ? 2 : 0)
+          | ((layer & 0xF00) != 0 ? 4 : 0)
+          | ((layer & 0xF000) != 0 ? 8 : 0);
+    }
+
+    private static int acrossZ(long brick) {
+      return ((brick & LAYER_Z) != 0 ? 1 : 0)
+          | ((brick & LAYER_Z << 16) != 0 ? 2 : 0)
+          | ((brick & LAYER_Z << 32) != 0 ? 4 : 0)
+          | ((brick & LAYER_Z << 48) != 0 ? 8 : 0);
     }
 
     /** Finds the heights at the corners of a tile, and the others by linear interpolation. */

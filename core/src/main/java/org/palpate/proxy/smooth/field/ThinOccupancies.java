@@ -17,13 +17,16 @@ final class ThinOccupancies extends GreyOccupancyCache {
   private static final int BYTE = 0xFF;
   private static final long ONE_A_BYTE = 0x0101_0101_0101_0101L;
 
+  /** The words of cached voxels along each axis. */
+  private static final int CACHE_EDGE = 32;
+
   private static final int SLOTS = 64;
   private static final int NONE = Integer.MIN_VALUE;
 
   private final AxisCut cut;
   private final GreyOccupancyCache voxels;
-  private final CacheKeys voxelKeys = new CacheKeys();
-  private final long[] voxelWords = new long[CacheKeys.SLOTS];
+  private final CacheKeys voxelKeys = new CacheKeys(CACHE_EDGE);
+  private final long[] voxelWords = new long[voxelKeys.slots()];
 
   /** The cell whose place in its voxels each slot holds. */
   private final int[] cells = new int[SLOTS];
@@ -105,7 +108,7 @@ final class ThinOccupancies extends GreyOccupancyCache {
   }
 
   private long voxels(CollisionScene scene, int word, int j, int k) {
-    int slot = CacheKeys.slot(word, j, k);
+    int slot = voxelKeys.slot(word, j, k);
     if (!voxelKeys.holdsElseSet(slot, word, j, k)) {
       voxelWords[slot] = voxels.occupancies(scene, word, j, k);
     }

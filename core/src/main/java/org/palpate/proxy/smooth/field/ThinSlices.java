@@ -20,6 +20,15 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
 
   private static final int COLUMNS = ShapeInterpolation.COLUMNS;
 
+  /**
+   * The cached bricks along each axis. A hand rubs over the same place again and again, and a brick
+   * takes long to make.
+   */
+  private static final int BRICKS = 32;
+
+  /** The cached tiles along each axis. They serve the bricks of one column. */
+  private static final int TILES = 16;
+
   /** The most cells of a pair. */
   private static final int MAX_CELLS = ThinGrid.MAX_PER_VOXEL + 1;
 
@@ -43,24 +52,24 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   private final CellPairs pairs;
   private final SliceBits slices;
   private final ShapeInterpolation interpolation;
-  private final CacheKeys brickKeys = new CacheKeys();
-  private final long[] bricks = new long[CacheKeys.SLOTS];
-  private final CacheKeys tileKeys = new CacheKeys();
+  private final CacheKeys brickKeys = new CacheKeys(BRICKS);
+  private final long[] bricks = new long[brickKeys.slots()];
+  private final CacheKeys tileKeys = new CacheKeys(TILES);
 
   /** For each tile and each cell between the two slices, the solid columns. */
-  private final char[] tiles = new char[CacheKeys.SLOTS * MAX_CELLS];
+  private final char[] tiles = new char[tileKeys.slots() * MAX_CELLS];
 
   /** The heights of the columns beyond the middle of the solid slice, in cells. */
   private final double[] heights = new double[COLUMNS];
 
   /** For each tile and column, the number of the cell between the slices that is corrected. */
-  private final byte[] correctedCells = new byte[CacheKeys.SLOTS * COLUMNS];
+  private final byte[] correctedCells = new byte[tileKeys.slots() * COLUMNS];
 
   /** The occupancy of that cell less its bit, in {@link CellCorrections#FRACTIONS}. */
-  private final byte[] columnCorrections = new byte[CacheKeys.SLOTS * COLUMNS];
+  private final byte[] columnCorrections = new byte[tileKeys.slots() * COLUMNS];
 
   /** The corrections of each brick. */
-  private final CellCorrections.Slots slots = new CellCorrections.Slots(CacheKeys.SLOTS);
+  private final CellCorrections.Slots slots = new CellCorrections.Slots(brickKeys.slots());
 
   /**
    * Creates the thin slices of one cut.
@@ -117,7 +126,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   /** Returns the slot that holds a brick and its corrections until another one is asked for. */
   @Override
   public int slotOf(CollisionScene scene, int x, int y, int z) {
-    int slot = CacheKeys.slot(x, y, z);
+    int slot = brickKeys.slot(x, y, z);
     if (!brickKeys.holdsElseSet(slot, x, y, z)) {
       slices.use(scene);
       slots.clear(slot);
@@ -191,7 +200,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
 
   /** Returns the slot that holds a tile between two slices that differ there. */
   private int tileOf(int u, int v, int pair, int lower, int upper) {
-    int slot = CacheKeys.slot(u, v, pair);
+    int slot = tileKeys.slot(u, v, pair);
     if (!tileKeys.holdsElseSet(slot, u, v, pair)) {
       fillTile(u, v, pair, lower, upper, slot);
     }

@@ -127,6 +127,31 @@ class OccupancyFieldTest {
     }
   }
 
+  /** Cells 128 apart share the slots of the caches. */
+  @Test
+  void answersDoNotDependOnEvaluationsOfCellsWithTheSameSlots() {
+    BitCube first = gentleFaces();
+    BitCube second = gentleFaces();
+    BitCube both =
+        fill(
+            new BitCube(155, 29, 31),
+            (i, j, k) -> i < 27 ? first.get(i, j, k) : i >= 128 && second.get(i - 128, j, k));
+    CollisionScene scene = new CollisionScene(List.of(both));
+    for (GridMetric metric : List.of(UNIT, new GridMetric(0.7, 0.7, 1.4))) {
+      OccupancyField used = field(scene, metric);
+      for (int n = 0; n < 100; n++) {
+        Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
+        for (int side = 0; side < 2; side++) {
+          FieldSample fresh = field(scene, metric).evaluate(cell(point), point);
+          FieldSample sample = used.evaluate(cell(point), point);
+          assertEquals(fresh.occupancy(), sample.occupancy(), "seed=" + SEED + " at " + point);
+          assertEquals(fresh.gx(), sample.gx(), "seed=" + SEED + " at " + point);
+          point.x += 128;
+        }
+      }
+    }
+  }
+
   @Test
   void aFieldForManyPlacesGivesTheSameAnswers() {
     compareManyPlaces(randomBits(0.3), UNIT);
