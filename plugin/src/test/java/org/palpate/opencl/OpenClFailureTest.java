@@ -227,17 +227,6 @@ class OpenClFailureTest {
   }
 
   @Test
-  void aDeviceIsUsedFromTheMeasuredNumberOfLegsOn() {
-    LaunchCost cost = new LaunchCost(OpenClOnCpu.PATIENT_NANOS);
-    double batchNanos = 1_000 * cost.nanosPerLeg();
-    assertEquals(1_000, cost.crossover(batchNanos, 1_000));
-    assertEquals(LegBatch.NEVER, cost.crossover(batchNanos, 999));
-    LaunchCost hurried = new LaunchCost(1_000);
-    assertEquals(LegBatch.NEVER, hurried.crossover(501, 1_000_000));
-    assertTrue(hurried.crossover(499, 1_000_000) <= 499);
-  }
-
-  @Test
   void aSlowDeviceIsNotUsed() {
     OpenClDevice device =
         new OpenClDevice(
