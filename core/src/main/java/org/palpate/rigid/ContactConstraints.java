@@ -53,6 +53,12 @@ final class ContactConstraints {
   /** The heights by which a contact is raised after each hit of its leg, edges. */
   private static final double[] RAISES_EDGES = {.02, .08, .2, .4, .7, 1.1};
 
+  /**
+   * From so many raises on, a contact whose rise is reduced is not raised again. After fewer raises
+   * the step of height to the voxel's face would be felt: a burr vibrates while it cuts.
+   */
+  private static final int RAISES_BEFORE_FACE = 4;
+
   /** Points stop this far before the face of a voxel, edges. */
   private static final double SHORT_OF_FACE_EDGES = 0x1p-18;
 
@@ -241,7 +247,8 @@ final class ContactConstraints {
   /**
    * Raises the height that a surface contact requires, because its leg has hit a voxel.
    *
-   * @return false if it was raised by all of {@link #RAISES_EDGES} before, or its rise was reduced
+   * @return false if it was raised by all of {@link #RAISES_EDGES} before, or raised often and then
+   *     reduced
    */
   boolean raise(int c) {
     if (raises[c] == RAISES_EDGES.length) {
@@ -264,8 +271,8 @@ final class ContactConstraints {
 
   /**
    * Halves the rises that contacts require; with {@code none}, lets none require a rise. A surface
-   * contact whose rise is reduced is not raised again, because that would be reduced as well: if
-   * its leg still hits a voxel, a contact with the face must follow.
+   * contact that was raised often and whose rise is reduced is not raised again, because that would
+   * be reduced as well: if its leg still hits a voxel, a contact with the face must follow.
    */
   void relaxRises(boolean none) {
     for (int c = 0; c < count; c++) {
@@ -273,7 +280,9 @@ final class ContactConstraints {
       boolean isHard = problem.a[row(c) * UNKNOWNS + DEPTH] == 0;
       double kept = isHard ? 0 : depthMm;
       if (need > kept) {
-        raises[c] = face[c] ? raises[c] : RAISES_EDGES.length;
+        if (!face[c] && raises[c] >= RAISES_BEFORE_FACE) {
+          raises[c] = RAISES_EDGES.length;
+        }
         problem.b[row(c)] = none ? kept : kept + 0.5 * (need - kept);
       }
     }
