@@ -1,6 +1,7 @@
 package org.palpate.display;
 
 import com.sun.jna.Native;
+import com.sun.jna.Platform;
 import com.sun.jna.Pointer;
 
 /**
@@ -35,7 +36,8 @@ public final class DisplayConnection {
    * Connects to the display that the environment names, unless this was done before. Call it before
    * the graphics driver is loaded. Any thread.
    *
-   * @return whether a connection is held; {@code false} without an Xlib or if the server refuses
+   * @return whether a connection is held; {@code false} on Windows and macOS, without an Xlib or
+   *     JNA, or if the server refuses
    */
   public static synchronized boolean hold() {
     if (held == null) {
@@ -46,6 +48,9 @@ public final class DisplayConnection {
 
   private static Pointer connect() {
     try {
+      if (!Platform.isX11()) {
+        return null; // the graphics driver needs no X server; macOS would start one for the call
+      }
       X11Library.XInitThreads();
       return X11Library.XOpenDisplay(null);
     } catch (LinkageError e) {
