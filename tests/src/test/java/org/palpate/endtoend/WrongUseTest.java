@@ -114,6 +114,8 @@ class WrongUseTest {
         "touch --clip sideways",
         "render --out x.png --clip view:3",
         "render --out x.png --clip y:far",
+        "render --out x.png --colour-by stress",
+        "render --out x.png --colour-by strain",
         "render --out x.stl --clip x",
         "render --out x.stl --slices middle",
         "render --out x.ply --trajectory t.csv",

@@ -291,6 +291,7 @@ public final class RenderCommand implements Callable<Integer> {
     surface.check();
     checkTool();
     surface.checkDeformed(elastic);
+    refuseUnpressed(SurfaceOptions.DEFORMED);
     if (slices.followsProxy() && trajectory == null) {
       throw PalpateException.wrongUse(
           "there is no interaction point to follow",
@@ -310,13 +311,14 @@ public final class RenderCommand implements Callable<Integer> {
       throw PalpateException.wrongUse(
           "nothing moves the tool", "--tool", "add --trajectory, or leave --tool out");
     }
-    for (String option : ElasticOptions.NAMES) {
-      if (spec.commandLine().getParseResult().hasMatchedOption(option) && trajectory == null) {
-        throw PalpateException.wrongUse(
-            "nothing presses the segments",
-            option,
-            "add --trajectory, or leave " + option + " out");
-      }
+    ElasticOptions.NAMES.forEach(this::refuseUnpressed);
+  }
+
+  /** Rejects an option of elastic segments if there is no trajectory that presses them. */
+  private void refuseUnpressed(String option) {
+    if (spec.commandLine().getParseResult().hasMatchedOption(option) && trajectory == null) {
+      throw PalpateException.wrongUse(
+          "nothing presses the segments", option, "add --trajectory, or leave " + option + " out");
     }
   }
 
