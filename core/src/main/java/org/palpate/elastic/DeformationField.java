@@ -63,8 +63,11 @@ final class DeformationField {
     room.set(other.room);
   }
 
-  /** Takes the values and the place of the field before, for the force of this one. */
-  void follow(DeformationField before) {
+  /**
+   * Takes the values and the place of the field before. Its displacement changes by its answers to
+   * the force of this one; so call it after {@link #baseNewton} is set.
+   */
+  void takeEarlier(DeformationField before) {
     earlierPlace.set(before.place);
     double x = baseNewton[0] - before.baseNewton[0];
     double y = baseNewton[1] - before.baseNewton[1];

@@ -2,9 +2,12 @@ package org.palpate.elastic;
 
 import org.palpate.geometry.Vec3;
 
-/** The place at which a tool presses an elastic body, and the force. One thread. */
+/**
+ * The force with which a tool presses an elastic body, and the place where it will press when the
+ * field for it is in use, see {@link SlideForecast}. One thread.
+ */
 final class ElasticLoad {
-  /** The point in material coordinates. */
+  /** The place in material coordinates. */
   final Vec3 point = new Vec3();
 
   /** The force on the material, N. */

@@ -32,13 +32,13 @@ final class FieldUpdater {
 
   private static final double REACH_PER_LOAD = 2.5;
 
-  /** A slide between two updates that is shorter is not blended, cells. */
+  /** A field is not blended with the one before if their places are nearer than this, cells. */
   private static final double LEAST_SLIDE_CELLS = 0.02;
 
-  /** Nor is a longer one. */
+  /** Nor is it blended if their places are farther apart than this, cells. */
   private static final double LONGEST_SLIDE_CELLS = 1;
 
-  /** The proof looks at a blended field at distances of this, cells. */
+  /** The longest distance on a slide between two places at which the proof looks, cells. */
   private static final double SLIDE_INTERVAL_CELLS = 0.25;
 
   /** A displacement whose length over all nodes is shorter counts as none, mm. */
@@ -73,7 +73,7 @@ final class FieldUpdater {
   private final UpdateCounters counters = new UpdateCounters();
   private UpdateListener listener = UpdateListener.NONE;
 
-  /** The place of the contact, material coordinates. */
+  /** The place of the load, material coordinates. */
   private final Vec3 place = new Vec3();
 
   /** Receives each field too; null if nobody else reads them. */
@@ -248,7 +248,7 @@ final class FieldUpdater {
     field.place.set(place);
     field.slideIntervals = size > 0 ? slideIntervals(place, last.place) : 0;
     if (field.slideIntervals > 0) {
-      field.follow(last);
+      field.takeEarlier(last);
     }
     beginRoom(field.room, size);
     if (proof.prove(field, REACH_NEWTON + REACH_PER_LOAD * size, -size)) {

@@ -7,7 +7,7 @@ import org.palpate.sync.PositionProperty;
 
 /**
  * The shape of an elastic body for one reader of the published frames, for example a scene. It is
- * that of the newest field under the force of the last frame that the reader took.
+ * that of the newest field for the point and the force of the last frame that the reader took.
  *
  * <p>The haptic thread calls {@link #setFrame}, the thread of the updates {@link #offer}, and the
  * reader the other methods. No thread waits for another.

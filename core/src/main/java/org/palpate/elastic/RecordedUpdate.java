@@ -8,7 +8,7 @@ import org.palpate.geometry.Vec3;
  * An update of a recorded session.
  *
  * @param frame the frame in which its field came into use, or {@link #UNUSED}
- * @param point the contact in material coordinates
+ * @param point the place of the load in material coordinates
  * @param forceNewton the force on the material, N
  * @param refills the cells whose voxels were counted anew before it
  */

@@ -32,7 +32,7 @@ public interface UpdateListener {
   /**
    * Receives the load of an update that begins. Thread of the updates.
    *
-   * @param point in material coordinates
+   * @param point the place of the load in material coordinates
    * @param forceNewton on the material, N
    */
   void updating(Vec3 point, Vec3 forceNewton);

@@ -93,7 +93,7 @@ class DeformationMapTest {
     field.baseNewton[0] = 0.1;
     field.baseNewton[2] = -0.2;
     field.place.set(7, 5, 4);
-    field.follow(before);
+    field.takeEarlier(before);
     field.slideIntervals = 1;
     assertTrue(proof.prove(field, 2, -1) && field.slideIntervals == 1);
     for (int n = 0; n < 100; n++) {

@@ -12,7 +12,7 @@ import java.util.Locale;
 public record DeformationColour(Measure measure, double most) {
   /** A value of a deformation. */
   public enum Measure {
-    /** The way from the place at rest, mm. */
+    /** The distance from the position at rest, mm. */
     DISPLACEMENT(10),
 
     /**
