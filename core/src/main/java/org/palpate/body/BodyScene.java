@@ -12,7 +12,11 @@ public final class BodyScene {
   private final List<Pose> poses;
   private final double shortestEdgeMm;
 
-  /** Creates a scene of at least one body. */
+  /**
+   * Creates a scene of at least one body.
+   *
+   * @throws IllegalArgumentException if there is no body
+   */
   public BodyScene(List<Body> bodies) {
     if (bodies.isEmpty()) {
       throw new IllegalArgumentException("a scene needs at least one body");

@@ -47,6 +47,8 @@ public final class GrownSolids {
    * @param growthMm the distance, mm, positive
    * @param longestCellMm edges of cells are at most this long, mm, as far as {@link #LARGEST_PARTS}
    *     cells to a voxel allow
+   * @throws IllegalArgumentException if the growth is not positive or too large, or cells have no
+   *     edge
    */
   public GrownSolids(BitCube bits, GridMetric metric, double growthMm, double longestCellMm) {
     if (!(growthMm > 0) || growthMm / metric.shortestEdgeMm() > MOST_GROWTH_EDGES) {
@@ -183,7 +185,7 @@ public final class GrownSolids {
     return most;
   }
 
-  /** Converts a coordinate from the body's grid to the grid of the cells, along an axis: 0 is x. */
+  /** Returns a coordinate of the body's grid in the grid of the cells, along an axis: 0 is x. */
   public double toCells(double voxels, int axis) {
     return (voxels + pad) * parts(axis);
   }

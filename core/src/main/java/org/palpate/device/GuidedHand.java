@@ -90,6 +90,7 @@ public final class GuidedHand implements HapticDevice {
    * @param stops at least one
    * @param radiusMm radius of the ball that the hand reaches
    * @param intervalNanos time between samples, positive
+   * @throws IllegalArgumentException if there is no stop or the interval is not positive
    */
   public GuidedHand(List<HandStop> stops, Tremor tremor, double radiusMm, long intervalNanos) {
     if (stops.isEmpty() || intervalNanos <= 0) {

@@ -14,7 +14,11 @@ import org.palpate.geometry.Vec3;
  */
 public record HandTarget(Vec3 lowMm, Vec3 highMm, double voxelMm, List<Vec3> surfaceMm) {
 
-  /** Checks the box and the voxel's edge. */
+  /**
+   * Checks the box and the voxel's edge.
+   *
+   * @throws IllegalArgumentException if the box is empty or the edge is not positive
+   */
   public HandTarget {
     surfaceMm = List.copyOf(surfaceMm);
     if (!(lowMm.x <= highMm.x && lowMm.y <= highMm.y && lowMm.z <= highMm.z)) {

@@ -18,7 +18,11 @@ import org.palpate.geometry.Vec3;
  */
 public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
 
-  /** Checks the axes and scales. */
+  /**
+   * Checks the axes and scales.
+   *
+   * @throws IllegalArgumentException if the axes are no rotation or a scale is not positive
+   */
   public Workspace {
     if (!deviceToWorld.isOrthonormal() || deviceToWorld.isMirrored()) {
       throw new IllegalArgumentException("axes must be a rotation: deviceToWorld=" + deviceToWorld);
@@ -45,7 +49,11 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
     return new Workspace(each.deviceToWorld, new Vec3(largest, largest, largest));
   }
 
-  /** Returns a workspace as {@link #fit}, but with a scale for each axis that uses its reach. */
+  /**
+   * Returns a workspace as {@link #fit}, but with a scale for each axis that uses its reach.
+   *
+   * @throws IllegalArgumentException if the device has no radius
+   */
   public static Workspace fitEachAxis(
       DeviceSpecification device, RigidTransform axes, Vec3 lowMm, Vec3 highMm) {
     double reachMm = device.workspaceRadiusMm();

@@ -72,7 +72,11 @@ public final class WorkspaceDevice extends DeviceDecorator {
    */
   public record Controls(int clutchButton, int speedButton, double fineSpeed) {
 
-    /** Checks the speed. */
+    /**
+     * Checks the speed.
+     *
+     * @throws IllegalArgumentException if the speed is not above 0 and at most 1
+     */
     public Controls {
       if (!(fineSpeed > 0 && fineSpeed <= 1)) {
         throw new IllegalArgumentException("fineSpeed must be in (0, 1]: fineSpeed=" + fineSpeed);

@@ -27,6 +27,7 @@ public final class BrushEdit extends BoxEdit {
    * @param centreGrid grid coordinates, finite
    * @param radiusMm metric radius, at least 0
    * @param solid whether the voxels become solid; empty else
+   * @throws IllegalArgumentException if the centre is not finite or the radius is negative
    */
   public BrushEdit(int segment, Vec3 centreGrid, double radiusMm, boolean solid) {
     this(segment, Optional.empty(), radiusMm, solid, BrushLimits.NONE);
@@ -38,7 +39,7 @@ public final class BrushEdit extends BoxEdit {
   }
 
   /**
-   * Makes an edit of the next piece of a stroke. The piece ends where the device is when the edit
+   * Returns an edit of the next piece of a stroke. The piece ends where the device is when the edit
    * is applied if voxels are added, and where the tool touches if they are removed. So what is
    * added cannot push the brush along. Nothing happens if the tool has no place yet.
    *

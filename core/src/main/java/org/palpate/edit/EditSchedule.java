@@ -30,8 +30,9 @@ public final class EditSchedule {
   }
 
   /**
-   * Queues the changes up to a frame that were not queued yet, as one edit. The queue must have
-   * room.
+   * Queues the changes up to a frame that were not queued yet, as one edit.
+   *
+   * @throws IllegalStateException if the queue has no room
    */
   public void offerUpTo(long frame, EditQueue queue) {
     int end = next;

@@ -31,6 +31,7 @@ public final class ForceLimiter {
    *
    * @param maxForceNewton the longest force, at least 0; infinity for no limit
    * @param slewNewtonPerMs the fastest change, positive; infinity for no limit
+   * @throws IllegalArgumentException if the maximum is negative or the slew is not positive
    */
   public ForceLimiter(double maxForceNewton, double slewNewtonPerMs) {
     if (!(maxForceNewton >= 0) || !(slewNewtonPerMs > 0)) {

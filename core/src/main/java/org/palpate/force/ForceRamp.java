@@ -15,6 +15,7 @@ public final class ForceRamp {
    * Makes a completed ramp, whose factor is 1.
    *
    * @param durationNanos time from 0 to 1; 0 for no ramp
+   * @throws IllegalArgumentException if the time is negative
    */
   public ForceRamp(long durationNanos) {
     if (durationNanos < 0) {

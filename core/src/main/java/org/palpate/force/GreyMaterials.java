@@ -48,6 +48,7 @@ public final class GreyMaterials {
    * Creates materials.
    *
    * @param rows at least one, with values that rise
+   * @throws IllegalArgumentException if there is no row or the values do not rise
    */
   public GreyMaterials(ScalarVolume values, List<Row> rows) {
     this.values = values;

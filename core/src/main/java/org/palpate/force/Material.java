@@ -15,7 +15,12 @@ public record Material(
     double slidingFriction,
     double dampingNewtonSecondPerMm) {
 
-  /** Checks that each figure is finite and at least 0. */
+  /**
+   * Checks that each figure is finite and at least 0.
+   *
+   * @throws IllegalArgumentException if a figure is out of range, or sliding friction exceeds
+   *     static friction
+   */
   public Material {
     checkRange("stiffnessNewtonPerMm", stiffnessNewtonPerMm);
     checkRange("staticFriction", staticFriction);

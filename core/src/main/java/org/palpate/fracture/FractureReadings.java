@@ -30,7 +30,7 @@ public record FractureReadings(
     pairs = List.copyOf(pairs);
   }
 
-  /** Reads fragments at their poses. */
+  /** Returns the readings of fragments at their poses. */
   public static FractureReadings read(List<PosedBits> fragments) {
     PosedBits reference = fragments.get(0);
     for (PosedBits fragment : fragments) {

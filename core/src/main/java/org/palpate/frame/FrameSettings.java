@@ -37,7 +37,12 @@ public record FrameSettings(
   /** The usual number of voxels, which take some ten microseconds of a frame. */
   public static final int DEFAULT_EDIT_VOXELS_A_FRAME = 2048;
 
-  /** Checks the ranges that the parts of a frame do not check. */
+  /**
+   * Checks the ranges that the parts of a frame do not check.
+   *
+   * @throws IllegalArgumentException if the silence is not positive or no voxel may be edited in a
+   *     frame
+   */
   public FrameSettings {
     if (silenceNanos <= 0 || editVoxelsAFrame < 1) {
       throw new IllegalArgumentException(

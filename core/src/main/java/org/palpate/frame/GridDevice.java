@@ -23,7 +23,7 @@ public final class GridDevice {
   }
 
   /**
-   * Converts a device to a grid.
+   * Returns a device converted to a grid.
    *
    * @param worldDevice positions in world mm, forces along the world's axes
    * @param grid the grid to convert to
@@ -33,7 +33,7 @@ public final class GridDevice {
   }
 
   /**
-   * Takes a device as it is, because its positions are grid coordinates already; for example a
+   * Returns a device as it is, because its positions are grid coordinates already; for example a
    * trajectory that was made in the grid.
    */
   public static GridDevice inGridCoordinates(HapticDevice device) {

@@ -25,7 +25,11 @@ public record LoopSettings(
   /** The usual limit, longer than any pause of a garbage collector that a session survives. */
   public static final long DEFAULT_HANG_NANOS = 1_000_000_000;
 
-  /** Checks the ranges. */
+  /**
+   * Checks the ranges.
+   *
+   * @throws IllegalArgumentException if a period is not positive
+   */
   public LoopSettings {
     if (periodNanos <= 0 || hangNanos <= 0) {
       throw new IllegalArgumentException(

@@ -29,13 +29,13 @@ public final class RecordingThread implements AutoCloseable {
     this.others = others;
   }
 
-  /** Starts a thread that writes the samples of {@code recorder} into {@code sink}. */
+  /** Starts and returns a thread that writes the samples of {@code recorder} into {@code sink}. */
   public static RecordingThread start(SampleRecorder recorder, SampleRecorder.Sink sink) {
     return start(recorder, sink, () -> {});
   }
 
   /**
-   * Starts a thread that also moves what other recorders hold.
+   * Starts and returns a thread that also moves what other recorders hold.
    *
    * @param others moves what the other recorders hold; runs in the thread, after the samples
    */

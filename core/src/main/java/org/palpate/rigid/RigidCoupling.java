@@ -22,6 +22,7 @@ public final class RigidCoupling {
    *
    * @param stiffnessNewtonPerMm of the displacement, N/mm
    * @param rotationalStiffness of the rotation, N mm/rad
+   * @throws IllegalArgumentException if a stiffness is negative
    */
   public RigidCoupling(double stiffnessNewtonPerMm, double rotationalStiffness) {
     if (!(stiffnessNewtonPerMm >= 0) || !(rotationalStiffness >= 0)) {

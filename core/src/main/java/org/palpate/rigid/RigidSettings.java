@@ -25,7 +25,11 @@ public record RigidSettings(
     boolean skips,
     CollisionDevice device) {
 
-  /** Checks the step. */
+  /**
+   * Checks the step.
+   *
+   * @throws IllegalArgumentException if the longest step is not positive
+   */
   public RigidSettings {
     if (!(maxStepMm > 0)) {
       throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);

@@ -27,7 +27,7 @@ public record DeviceName(String name, String id) {
   private static final String REPLAY = "replay";
   private static final long DEFAULT_SEED = 1;
 
-  /** Splits a text at its first colon. Every text is accepted; see {@link #isKnown}. */
+  /** Returns a text split at its first colon. Every text is accepted; see {@link #isKnown}. */
   public static DeviceName parse(String text) {
     int colon = text.indexOf(':');
     return colon < 0

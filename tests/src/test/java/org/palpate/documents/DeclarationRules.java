@@ -5,15 +5,20 @@ import com.sun.source.doctree.DocTree;
 import com.sun.source.doctree.ThrowsTree;
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
-import com.sun.source.tree.ExpressionTree;
+import com.sun.source.tree.LambdaExpressionTree;
 import com.sun.source.tree.LiteralTree;
 import com.sun.source.tree.MethodTree;
+import com.sun.source.tree.NewClassTree;
+import com.sun.source.tree.PrimitiveTypeTree;
+import com.sun.source.tree.ThrowTree;
 import com.sun.source.tree.Tree;
 import com.sun.source.util.TreePathScanner;
+import com.sun.source.util.TreeScanner;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import javax.lang.model.element.Modifier;
 
@@ -23,14 +28,14 @@ import javax.lang.model.element.Modifier;
  * <ul>
  *   <li>No type, no method and no sentence for users has a word that the glossary avoids.
  *   <li>A public method has a comment. It states the value that the method returns, and each
- *       exception that the method declares.
+ *       exception that the method declares, or makes and throws itself.
  * </ul>
  */
 final class DeclarationRules {
   /** Words that the glossary avoids and that mean nothing else in names and messages. */
   private static final Pattern AVOIDED =
       Pattern.compile(
-          "\\b(openness|octets?|tally|tallies|near cubes?|box trees?|hops?|device point"
+          "\\b(openness|octets?|tally|tallies|near cubes?|box trees?|hops?|device points?"
               + "|obstacles?|wish(es)?|climbs?|twins?|walks?)\\b");
 
   /** The words with which a comment states the returned value. */
@@ -151,11 +156,19 @@ final class DeclarationRules {
       if (!isVoid(tree) && !statesResult(comment) && !returnsGivenObject(tree, owner)) {
         faults.add(what + " does not state what it returns");
       }
-      for (ExpressionTree exception : tree.getThrows()) {
-        if (!states(comment, exception.toString())) {
+      for (String exception : thrownBy(tree)) {
+        if (!states(comment, exception)) {
           faults.add(what + " does not state when it throws " + exception);
         }
       }
+    }
+
+    /** Returns the exceptions that a method declares, or makes and throws itself. */
+    private static Set<String> thrownBy(MethodTree tree) {
+      Set<String> thrown = new TreeSet<>();
+      tree.getThrows().forEach(exception -> thrown.add(exception.toString()));
+      new Throws(thrown).scan(tree.getBody(), null);
+      return thrown;
     }
 
     private static boolean isVoid(MethodTree tree) {
@@ -168,11 +181,14 @@ final class DeclarationRules {
       return hasTag || STATES_RESULT.matcher(comment.getFullBody().toString()).find();
     }
 
-    /** Whether a method returns its {@code dest}, or the object itself for a chain of calls. */
+    /** Whether a method may return its {@code dest}, or the object itself for a chain of calls. */
     private static boolean returnsGivenObject(MethodTree tree, String owner) {
       String type = tree.getReturnType().toString();
-      return type.equals(owner)
-          || tree.getParameters().stream().anyMatch(p -> p.getType().toString().equals(type));
+      boolean isObject = !(tree.getReturnType() instanceof PrimitiveTypeTree);
+      boolean isStatic = tree.getModifiers().getFlags().contains(Modifier.STATIC);
+      return isObject
+          && ((type.equals(owner) && !isStatic)
+              || tree.getParameters().stream().anyMatch(p -> p.getType().toString().equals(type)));
     }
 
     private static boolean states(DocCommentTree comment, String exception) {
@@ -182,6 +198,33 @@ final class DeclarationRules {
                   tag instanceof ThrowsTree stated
                       && stated.getExceptionName().toString().equals(exception)
                       && !stated.getDescription().isEmpty());
+    }
+  }
+
+  /** Collects the exceptions that a body makes and throws, but for those of lambdas and classes. */
+  private static final class Throws extends TreeScanner<Void, Void> {
+    private final Set<String> thrown;
+
+    Throws(Set<String> thrown) {
+      this.thrown = thrown;
+    }
+
+    @Override
+    public Void visitThrow(ThrowTree tree, Void unused) {
+      if (tree.getExpression() instanceof NewClassTree made) {
+        thrown.add(made.getIdentifier().toString());
+      }
+      return null;
+    }
+
+    @Override
+    public Void visitLambdaExpression(LambdaExpressionTree tree, Void unused) {
+      return null;
+    }
+
+    @Override
+    public Void visitClass(ClassTree tree, Void unused) {
+      return null;
     }
   }
 }

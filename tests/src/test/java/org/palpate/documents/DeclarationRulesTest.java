@@ -70,11 +70,20 @@ class DeclarationRulesTest {
         List.of("A.a does not state what it returns"),
         comments("/** Counts. */ public int a() { return 1; }"));
     assertEquals(
+        List.of("A.a does not state what it returns"),
+        comments("/** Doubles. */ public int a(int x) { return 2 * x; }"));
+    assertEquals(
+        List.of("A.a does not state what it returns"),
+        comments("/** Reads a text. */ public static A a(String text) { return new A(); }"));
+    assertEquals(
         List.of("A.a does not state when it throws Exception"),
         comments("/** Runs. */ public void a() throws Exception {}"));
     assertEquals(
         List.of("A.a does not state when it throws Exception"),
         comments("/** Runs.\n * @throws Exception\n */ public void a() throws Exception {}"));
+    assertEquals(
+        List.of("A.a does not state when it throws IllegalStateException"),
+        comments("/** Runs. */ public void a() { throw new IllegalStateException(); }"));
     assertEquals(
         List.of("A.b has no comment"), comments("/** B. */ public interface B { int b(); }"));
   }
@@ -100,6 +109,10 @@ class DeclarationRulesTest {
         List.of(), comments("/** Writes it. */ public String a(String dest) { return dest; }"));
     assertEquals(List.of(), comments("/** Sets it. */ public A a(int x) { return this; }"));
     assertEquals(List.of(), comments("@Override public String toString() { return null; }"));
+    assertEquals(
+        List.of(),
+        comments(
+            "/** Sets r. */ public void a() { r = () -> { throw new RuntimeException(); }; }"));
     assertEquals(List.of(), comments("int a() { return 1; } static class C { public int c() {} }"));
   }
 }

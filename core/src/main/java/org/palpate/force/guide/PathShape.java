@@ -16,6 +16,7 @@ public final class PathShape implements GuideShape {
    * Creates a path.
    *
    * @param positions its positions in order, mm, 2 to {@link #MOST_POSITIONS}
+   * @throws IllegalArgumentException if there are fewer or more
    */
   public PathShape(List<Vec3> positions) {
     if (positions.size() < 2 || positions.size() > MOST_POSITIONS) {

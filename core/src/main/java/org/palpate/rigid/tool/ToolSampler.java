@@ -39,6 +39,7 @@ public final class ToolSampler {
    * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
    * @param depthMm the depth of the erosion, mm; 0 for none
    * @throws ErodedAwayException if no point of the shape is that deep
+   * @throws IllegalArgumentException if the cover radius is not positive
    */
   public static RigidTool ofErodedShape(ToolShape shape, double coverRadiusMm, double depthMm) {
     if (!(coverRadiusMm > 0)) {
@@ -89,6 +90,8 @@ public final class ToolSampler {
    * does, but more densely if wanted.
    *
    * @param longestEdgeMm the longest edge of the voxels whose centres are sampled, mm
+   * @throws IllegalArgumentException if the segment has no voxels
+   * @throws ErodedAwayException if no point of the segment is that deep
    */
   public static RigidTool ofErodedSegment(
       BitCube bits, VoxelGrid grid, double depthMm, double longestEdgeMm) {

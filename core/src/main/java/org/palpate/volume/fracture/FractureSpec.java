@@ -45,7 +45,7 @@ public record FractureSpec(int parts, long seed, int kerfVoxels) {
   }
 
   /**
-   * Reads {@code PARTS[:SEED[:KERF]]}, as in {@code 4:7:0}.
+   * Returns what {@code PARTS[:SEED[:KERF]]} specifies, as in {@code 4:7:0}.
    *
    * @throws IllegalArgumentException if the text has another form; the message says what to write
    */

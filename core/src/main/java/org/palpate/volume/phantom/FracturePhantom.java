@@ -51,7 +51,7 @@ public record FracturePhantom(int edge, FractureSpec fracture) {
   }
 
   /**
-   * Reads {@code fracture[:EDGE[:PARTS[:SEED[:KERF]]]]}.
+   * Returns what {@code fracture[:EDGE[:PARTS[:SEED[:KERF]]]]} specifies.
    *
    * @throws IllegalArgumentException if the text has another form; the message says what to write
    */

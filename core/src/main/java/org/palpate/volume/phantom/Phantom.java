@@ -91,7 +91,7 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
   }
 
   /**
-   * Reads {@code NAME[:EDGE][:grey]}, as in {@code torus:192:grey}.
+   * Returns what {@code NAME[:EDGE][:grey]} specifies, as in {@code torus:192:grey}.
    *
    * @throws IllegalArgumentException if the text is no phantom; the message names what to choose
    */

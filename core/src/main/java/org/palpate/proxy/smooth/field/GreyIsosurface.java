@@ -24,7 +24,11 @@ public record GreyIsosurface(ScalarVolume volume, double threshold, double contr
   /** The contrast where the values show none. */
   private static final double DEFAULT_CONTRAST = 1;
 
-  /** Checks the contrast. */
+  /**
+   * Checks the contrast.
+   *
+   * @throws IllegalArgumentException if the contrast is not positive and finite
+   */
   public GreyIsosurface {
     if (!(contrast > 0) || Double.isInfinite(contrast)) {
       throw new IllegalArgumentException(
