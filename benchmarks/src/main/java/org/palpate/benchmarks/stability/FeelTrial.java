@@ -36,7 +36,7 @@ import org.palpate.volume.VoxelGrid;
  * @param feel the guide, effect or mass that the hand feels
  */
 public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel feel)
-    implements FeltTrial {
+    implements EnergyTrial {
   private static final double VOXEL = TouchedShape.VOXEL_MM;
   private static final GridMetric METRIC = new GridMetric(VOXEL, VOXEL, VOXEL);
   private static final int EDGE = 32;

@@ -5,7 +5,7 @@ import java.util.List;
 import org.palpate.benchmarks.stability.ClosedLoop.Outcome;
 
 /**
- * The margin of a device's default stiffness in a trial at 1 kHz with the limits of a live session.
+ * The margin of a device's default stiffness in a trial with the limits of a live session.
  *
  * @param trial the set-up
  * @param defaultStiffness half the device's maximum, N/m

@@ -119,7 +119,7 @@ public final class StabilityRun {
   }
 
   /** Writes a table of trials whose energy is measured, and a line for each condition. */
-  private static <T extends FeltTrial> void report(
+  private static <T extends EnergyTrial> void report(
       Path folder,
       StudyTable table,
       List<MarginRow<T>> rows,
@@ -128,7 +128,7 @@ public final class StabilityRun {
       throws IOException {
     Map<MarginRow<T>, Double> given = new LinkedHashMap<>();
     rows.forEach(row -> given.put(row, row.trial().givenMillijoule(row.defaultStiffness())));
-    table.write(folder, rows, row -> feltCells(row, given.get(row)));
+    table.write(folder, rows, row -> energyCells(row, given.get(row)));
     Map<String, List<MarginRow<T>>> conditions =
         rows.stream()
             .collect(
@@ -151,7 +151,8 @@ public final class StabilityRun {
   }
 
   /** Returns the cells of a row whose energy is measured. */
-  static <T extends FeltTrial> List<Object> feltCells(MarginRow<T> row, double givenMillijoule) {
+  static <T extends EnergyTrial> List<Object> energyCells(
+      MarginRow<T> row, double givenMillijoule) {
     List<Object> cells = new ArrayList<>(row.cells());
     cells.add(givenMillijoule);
     cells.add(row.trial().isPassive(givenMillijoule) ? "passive" : "active");

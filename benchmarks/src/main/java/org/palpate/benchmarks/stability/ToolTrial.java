@@ -25,7 +25,7 @@ import org.palpate.rigid.tool.RigidTool;
  * @param held the tool
  */
 record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, HeldTool held)
-    implements FeltTrial {
+    implements EnergyTrial {
   private static final double N_PER_MM = 1e-3;
   private static final double MAX_STEP_MM = 8 * TouchedShape.VOXEL_MM;
 

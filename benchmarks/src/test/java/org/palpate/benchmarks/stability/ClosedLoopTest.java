@@ -232,7 +232,7 @@ class ClosedLoopTest {
     ToolTrial held = new ToolTrial(trial.device(), Grip.FIRM, trial.sampling(), HeldRod.of(0));
     MarginRow<ToolTrial> tool = new MarginRow<>(held, 200, 300, row.atDefault());
     StudyTable.STABILITY_TOOLS.write(
-        folder, List.of(tool), one -> StabilityRun.feltCells(one, -0.5));
+        folder, List.of(tool), one -> StabilityRun.energyCells(one, -0.5));
     assertTrue(
         Files.readAllLines(folder.resolve("stability-tools.csv"))
             .get(1)

@@ -191,48 +191,39 @@ class FrameJudgeTest {
     assertNull(fault(judge, 3, 0.5, 0.5));
   }
 
-  /** A coordinate of 2^23 has steps of 2^-29, so that w_max must be above 2^-9 times the edge. */
+  /** A coordinate of 2^23 has steps of 2^-29, so with an edge of 8 mm w_max must exceed 2^-6 mm. */
   @Test
   void theLongestEdgeOfAVoxelDecidesWhetherDoublesResolveAStep() {
-    double[] far = {0x1p23, 0.5, 0.5};
-    double[] spacings = {8, 1, 1};
+    int settle = SolverFactory.SMOOTH.framesToSettle();
+    int most = settle + 40;
     for (int coordinate = 0; coordinate < 3; coordinate++) {
       for (int longest = 0; longest < 3; longest++) {
-        Vec3 start = new Vec3(0.5, 0.5, 0.5);
-        start.set(coordinate, far[0]);
-        Vec3 spacing = new Vec3(spacings[1], spacings[1], spacings[1]);
-        spacing.set(longest, spacings[0]);
+        Vec3 start = new Vec3().set(START);
+        start.set(coordinate, 0x1p23);
+        Vec3 spacingMm = new Vec3(1, 1, 1);
+        spacingMm.set(longest, 8);
         String what = "coordinate " + coordinate + ", longest edge " + longest;
-        assertEquals(50, acceptedFrom(start, spacing, 0x1p-6), what);
-        assertEquals(3, acceptedFrom(start, spacing, 0x1.1p-6), what);
+        assertEquals(most, framesAccepted(start, spacingMm, 0x1p-6, most), what);
+        assertEquals(settle, framesAccepted(start, spacingMm, 0x1.1p-6, most), what);
       }
     }
   }
 
   /** Alternates between two positions one step of doubles apart, beside a resting device. */
-  private int acceptedFrom(Vec3 start, Vec3 spacingMm, double maxStepMm) {
-    BitCube bits = new BitCube(5, 5, 5);
-    FrameJudge judge =
-        new FrameJudge(
-            new HostileScene("planted", bits, spacingMm, maxStepMm), start, SolverFactory.SMOOTH);
-    InteractionPoint moving = new InteractionPoint();
-    moving.position.set(start);
-    Vec3 device = new Vec3(start.x, start.y, start.z);
-    int settle = SolverFactory.SMOOTH.framesToSettle();
-    for (int n = 1; n <= 47 + settle; n++) {
-      Vec3 p = moving.position;
-      moving.legs.clear();
-      double to = n % 2 == 0 ? 0.5 : Math.nextUp(0.5);
-      int axis = start.y == 0.5 ? 1 : 2;
-      Vec3 end = new Vec3(p.x, p.y, p.z);
-      end.set(axis, to);
-      moving.legs.add(p.x, p.y, p.z, end.x, end.y, end.z, 0, false);
-      p.set(end);
-      if (judge.fault(device, moving, 0) != null) {
-        return n - 1 - settle + 3;
+  private int framesAccepted(Vec3 start, Vec3 spacingMm, double maxStepMm, int most) {
+    HostileScene empty = new HostileScene("empty", new BitCube(5, 5, 5), spacingMm, maxStepMm);
+    FrameJudge judge = new FrameJudge(empty, start, SolverFactory.SMOOTH);
+    point.position.set(start);
+    int axis = start.y == START.y ? 1 : 2;
+    Vec3 to = new Vec3().set(start);
+    for (int n = 1; n <= most; n++) {
+      to.set(axis, n % 2 == 0 ? START.x : Math.nextUp(START.x));
+      move(to.x, to.y, to.z, 0);
+      if (judge.fault(start, point, 0) != null) {
+        return n - 1;
       }
     }
-    return 50;
+    return most;
   }
 
   @Test

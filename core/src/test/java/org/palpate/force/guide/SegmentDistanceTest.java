@@ -131,16 +131,16 @@ class SegmentDistanceTest {
     assertEquals(1, gradient.z, 1e-5);
   }
 
-  /** Twice the spacing is twice as many voxels in the same reach, plus those of the segment. */
+  /** The box of the segment grows on each side by the reach and the longest edge, then by 2. */
   @Test
   void theNumberOfKeptVoxelsFollowsFromReachAndSpacing() {
     BitCube bits = new BitCube(14, 12, 16);
     bits.set(3, 4, 5);
     bits.set(5, 7, 9);
-    double small = SegmentDistance.voxelsFor(bits, GRID, 1);
-    double large = SegmentDistance.voxelsFor(bits, GRID, 4);
-    assertTrue(small >= (3 + 2 * 2) * (4 + 2 * 1) * (5 + 2 * 3), "a voxel of the edge 1.5 more");
-    assertTrue(large > small, small + " " + large);
+    assertEquals(
+        (3 + 2 * 5) * (4 + 2 * 4) * (5 + 2 * 6),
+        SegmentDistance.voxelsFor(bits, GRID, 1),
+        "2.5 mm, which are 3, 2 and 4 voxels");
     for (double reach : new double[] {0.3, 1, 2.2, 4, 7.7}) {
       double found = SegmentDistance.voxelsFor(bits, GRID, reach);
       double expected =
@@ -151,10 +151,8 @@ class SegmentDistanceTest {
   }
 
   private static double pad(double reachMm, double edgeMm) {
-    return Math.ceil((reachMm + 1.5) / edgeMm) + PAD_VOXELS;
+    return Math.ceil((reachMm + SPACING.y) / edgeMm) + 2;
   }
-
-  private static final int PAD_VOXELS = 2;
 
   @Test
   void anEmptySegmentIsOutOfReachEverywhere() {
