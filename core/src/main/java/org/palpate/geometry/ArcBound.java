@@ -9,6 +9,12 @@ package org.palpate.geometry;
  * which itself moves; see docs/guarantee.md. Haptic thread only.
  */
 public final class ArcBound {
+  /**
+   * The allowance for the square of an angle between two quaternions, rad^2: pi^2 times the largest
+   * error of a squared norm that {@link Quaternion#isUnit} allows, and rounding.
+   */
+  private static final double SQUARE_ERROR = 1e-11;
+
   private double perMm;
   private double constantMm;
   private double centreX;
@@ -65,12 +71,14 @@ public final class ArcBound {
    *
    * @param radiusMm the radius of the body
    * @param shiftMm the motion of the reference point
+   * @param from the orientation before the motion, a unit quaternion
+   * @param to the orientation after it, a unit quaternion
    */
   public static double sweptRadiusMm(
       double radiusMm, double shiftMm, Quaternion from, Quaternion to) {
     double cosine = Math.abs(from.dot(to));
-    // The square of an arc cosine c is at most pi^2/4 (1 - c); the rest covers rounding.
-    double square = Math.PI * Math.PI * Math.max(0, 1 - cosine) + 1e-14;
+    // The square of an arc cosine c is at most pi^2/4 (1 - c).
+    double square = Math.PI * Math.PI * Math.max(0, 1 - cosine) + SQUARE_ERROR;
     if (square > 1) {
       return Double.POSITIVE_INFINITY;
     }

@@ -34,10 +34,7 @@ final class Mover {
   /** The mover along with which this one moves as if glued to it; itself if it moves alone. */
   Mover carrier = this;
 
-  /**
-   * The error of the place of a voxel in the world, mm: the axes of a file are orthonormal only to
-   * some digits, and verification maps the world to the grid by the transposed axes.
-   */
+  /** The error of the place of a voxel in the world, mm; see {@link #distortionMm(int)}. */
   private final double distortionMm;
 
   /** The number of pairs in which this carries the points and may enclose a solid. */
@@ -57,7 +54,7 @@ final class Mover {
     boolean movesVoxels = shape != null && body != null;
     reference = movesVoxels ? new ReferencePose(shape.referenceMm(new Vec3())) : null;
     reachMm = movesVoxels ? reachMm(body, shape.referenceMm(new Vec3())) : 0;
-    distortionMm = body == null ? 0 : distortionMm(body.grid());
+    distortionMm = body == null ? 0 : distortionMm(0);
     isPresent = body != null;
     if (body != null) {
       takeBodyPose();
@@ -99,22 +96,25 @@ final class Mover {
     return (Math.sqrt(square) + body.grid().spacingMm().length()) * (1 + 1e-12);
   }
 
-  private static double distortionMm(VoxelGrid grid) {
+  /**
+   * Returns the largest error of the place of a voxel in the world, mm. The axes of a file are
+   * orthonormal only to some digits, and verification maps the world to the grid by the transposed
+   * axes. Allocates. Not for the tool.
+   *
+   * @param beyond the number of voxels by which voxels may lie outside of the grid
+   */
+  double distortionMm(int beyond) {
+    VoxelGrid grid = body.grid();
     Vec3 spacing = grid.spacingMm();
     Vec3 far =
         new Vec3(
-            (grid.sizeX() + 1) * spacing.x,
-            (grid.sizeY() + 1) * spacing.y,
-            (grid.sizeZ() + 1) * spacing.z);
+            (grid.sizeX() + 1 + beyond) * spacing.x,
+            (grid.sizeY() + 1 + beyond) * spacing.y,
+            (grid.sizeZ() + 1 + beyond) * spacing.z);
     return 1.01 * grid.gridMmToWorld().distortion() * far.length();
   }
 
-  /** Returns the error of the place of a voxel in the world, mm; 0 for the tool. */
-  double distortionMm() {
-    return distortionMm;
-  }
-
-  /** Returns what {@link #reachMm} leaves out: the edges of a grown cell, and the distortion. */
+  /** Returns what {@link #reachMm} leaves out, mm: the edges of a grown cell, and distortion. */
   double marginMm() {
     return body.grid().spacingMm().length() + distortionMm;
   }

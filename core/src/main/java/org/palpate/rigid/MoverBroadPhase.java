@@ -39,6 +39,9 @@ final class MoverBroadPhase {
   /** The number of voxels by which the grown solids of each body reach beyond a voxel. */
   private final int[] growthVoxels;
 
+  /** The largest error of the place of a grown cell of each body, mm. */
+  private final double[] distortionMm;
+
   private final long[] editsSeen;
   private final AffineMap posed = new AffineMap();
   private final AffineMap gridToWorld = new AffineMap();
@@ -60,12 +63,14 @@ final class MoverBroadPhase {
     tree = new MovingBoundsTree(movers.length, SLACK_EDGES * edgeMm);
     boxes = new WorldBox[movers.length];
     gridToRest = new AffineMap[movers.length];
+    distortionMm = new double[movers.length];
     editsSeen = new long[movers.length];
     for (int n = 0; n < movers.length; n++) {
       boxes[n] = new WorldBox();
       Body body = movers[n].body;
       if (body != null) {
         gridToRest[n] = body.grid().gridToWorld(new AffineMap());
+        distortionMm[n] = movers[n].distortionMm(growthVoxels[n]);
         editsSeen[n] = body.edits();
         refit(n);
       }
@@ -73,7 +78,10 @@ final class MoverBroadPhase {
     }
   }
 
-  /** Makes the box of a mover that of its committed pose. */
+  /**
+   * Makes the box of a mover that of its committed pose. The bounds of voxels do not shrink where
+   * some are removed, so the box of a body keeps its sample points.
+   */
   void refit(int index) {
     Mover mover = movers[index];
     WorldBox box = boxes[index].clear();
@@ -82,10 +90,10 @@ final class MoverBroadPhase {
     } else {
       IntBox voxels = mover.body.bits().bounds();
       if (voxels.isEmpty()) {
-        return; // It was cut away; nothing can touch it, and what the tree has of it is larger.
+        return; // It never had a voxel, so nothing can touch it, and the tree does not hold it.
       }
       posed.set(mover.bodyPose()).multiply(gridToRest[index], gridToWorld);
-      box.setImage(gridToWorld, voxels, growthVoxels[index]).grow(mover.distortionMm());
+      box.setImage(gridToWorld, voxels, growthVoxels[index]).grow(distortionMm[index]);
     }
     grow(box);
     tree.put(index, box);

@@ -1,8 +1,10 @@
 package org.palpate.rigid;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -16,6 +18,7 @@ import org.palpate.body.RandomSolids;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
@@ -165,6 +168,53 @@ class MoverBroadPhaseTest {
   }
 
   @Test
+  void theSamplePointsOfABodyThatWasCutAwayAreFound() {
+    Body rod = movable("rod", ToolScenes.block(40, 2, 2), 0, 0);
+    Body block = movable("block", ToolScenes.block(12, 12, 12), 34, 20);
+    RigidScene scene = scene(new BodyScene(List.of(rod, block)), false, true);
+    MoverVerifier mover = scene.verifier(1);
+    assertSame(mover.pair(0).points.body, rod, "which has fewer sample points");
+    IntBox box = new IntBox().set(rod.bits().bounds());
+    for (int n = 1; n < 40 * 2 * 2; n++) {
+      rod.bits().clear(n % 40, n / 40 % 2, n / 80);
+    }
+    rod.voxelsChanged(box);
+    mover.takeEdits();
+    Pose goal = new Pose().set(mover.pose());
+    goal.translation.y -= 40;
+    mover.propose(ReferencePose.snap(goal));
+    assertFalse(mover.isFree(0, 0, true, new LegHits()));
+  }
+
+  private static Body movable(String name, BitCube bits, double x, double y) {
+    VoxelGrid grid = VoxelGrid.ofUnitVoxels(bits.sizeX(), bits.sizeY(), bits.sizeZ());
+    Body body = new Body(name, bits, grid, Mobility.MOVABLE);
+    Pose pose = new Pose();
+    pose.translation.set(x, y, 0);
+    body.setPose(pose);
+    return body;
+  }
+
+  /** Grown cells reach 3 mm beyond the grid, whose axes are unit vectors only to some digits. */
+  @Test
+  void aPointThatReachesGrownCellsBeyondADistortedGridIsFound() {
+    Vec3 shortAxis = new Vec3(1 - 9e-5, 0, 0);
+    RigidTransform axes =
+        new RigidTransform(shortAxis, new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3());
+    VoxelGrid grid = new VoxelGrid(10, 1, 1, new Vec3(1, 1, 1), axes);
+    Body rod = new Body("rod", ToolScenes.block(10, 1, 1), grid, Mobility.FIXED);
+    Clearance[] clearance = {new Clearance(3, 3, 0)};
+    MoverVerifier verifier =
+        ToolScenes.verifier(new BodyScene(List.of(rod)), ToolSampler.point(), clearance, true);
+    Pose pose = new Pose();
+    pose.translation.set(13.3, 0.5, 0.5);
+    assertTrue(verifier.place(pose, true));
+    pose.translation.x = 13.0011; // 12.99993 in the grid, where the cells end at 13
+    verifier.propose(pose);
+    assertFalse(verifier.isFree(0, 0, true, new LegHits()));
+  }
+
+  @Test
   void farBodiesCostNoVerification() {
     BodyScene bodies = bodies(random, 60);
     RigidScene scene = scene(bodies, false, true);
@@ -195,12 +245,7 @@ class MoverBroadPhaseTest {
   private static BodyScene blocks() {
     List<Body> bodies = new ArrayList<>();
     for (int n = 0; n < 2; n++) {
-      BitCube bits = ToolScenes.block(6, 6, 6);
-      Body body = new Body("block" + n, bits, VoxelGrid.ofUnitVoxels(6, 6, 6), Mobility.MOVABLE);
-      Pose pose = new Pose();
-      pose.translation.set(60.0 * n, 0, 0);
-      body.setPose(pose);
-      bodies.add(body);
+      bodies.add(movable("block" + n, ToolScenes.block(6, 6, 6), 60.0 * n, 0));
     }
     return new BodyScene(bodies);
   }
