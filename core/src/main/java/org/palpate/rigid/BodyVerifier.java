@@ -185,8 +185,6 @@ final class BodyVerifier {
     levels.takeEdits(); // or a solid that was added since would be seen at the lowest level only
     levels.body.toolToGrid(ofBody, ofPoints, to);
     levels.toCells(to, highest, cellsTo);
-    pointsSeen = points.version();
-    solidSeen = solid.version();
     reducedCount = 0;
     for (int n = 0; n < tool.count(); n++) {
       int free = levels.freeLevel(tool.point(n, position), to, highest, caster);
@@ -196,8 +194,7 @@ final class BodyVerifier {
       level[n] = (byte) Math.max(0, free);
       reducedCount += free < highest ? 1 : 0;
     }
-    from.set(to);
-    cellsFrom.set(cellsTo);
+    takeProposal();
     resetOdometer();
     return true;
   }
@@ -295,18 +292,22 @@ final class BodyVerifier {
   }
 
   /**
-   * Commits the proposal. It is free, or it leads back to poses that were committed before while
-   * nothing else has moved.
+   * Commits the proposal. It is free, it leads back to poses that were committed before while
+   * nothing else has moved, or it takes over what was committed while the two were far apart.
    */
   void commit() {
     odometer += travel;
+    takeProposal();
+    if (odometer > LONGEST_ODOMETER) {
+      resetOdometer();
+    }
+  }
+
+  private void takeProposal() {
     from.set(to);
     cellsFrom.set(cellsTo);
     pointsSeen = points.version();
     solidSeen = solid.version();
-    if (odometer > LONGEST_ODOMETER) {
-      resetOdometer();
-    }
   }
 
   /**
