@@ -15,7 +15,7 @@ import org.palpate.volume.VoxelGrid;
  * <p>Belongs to the haptic thread. Code that edits the voxels must call {@link #voxelsChanged}.
  */
 public final class Body {
-  /** The edits whose boxes are kept. One frame makes fewer, so a reader in each frame gets all. */
+  /** The number of edits whose boxes are kept; older ones count as edits of the whole grid. */
   private static final int REMEMBERED_EDITS = 128;
 
   private final String name;

@@ -18,7 +18,7 @@ public final class EmptyCubes {
   /** The binary logarithm of the most places of the table, of 40 bytes each. */
   private static final int MOST_PLACES_SHIFT = 14;
 
-  /** The binary logarithm of the bricks of the cube that there are for each place. */
+  /** The binary logarithm of about how many bricks share a place, in cubes that are not large. */
   private static final int BRICKS_PER_PLACE_SHIFT = 3;
 
   /** 2^64 divided by the golden ratio: multiples of it are spread evenly. */
@@ -54,7 +54,7 @@ public final class EmptyCubes {
   private final int unusedHashBits;
   private final long[] table;
 
-  /** The number of times that all was forgotten; part of a brick's number. Above 0. */
+  /** 1 more than the number of times that all was forgotten; part of a brick's number. */
   private long age = 1;
 
   /** Creates a memory for a cube that the caller keeps. */
@@ -76,8 +76,8 @@ public final class EmptyCubes {
   }
 
   /**
-   * Returns half the edge of an empty cube around a point, voxels: 0, or from 0.5 to 4 as far as
-   * the windows around the point prove.
+   * Returns half the edge of an empty cube around a point, voxels: 0 if none is found, else from
+   * 0.5 to {@link #LARGEST_HALF_EDGE}.
    */
   public double around(double x, double y, double z) {
     if (!isNear(x) || !isNear(y) || !isNear(z)) {

@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.palpate.geometry.WorldBox;
 
 /**
- * A bounding-volume tree over boxes that move. Finds the boxes that a query box meets, in a time
- * that grows with the logarithm of their number unless many overlap.
+ * A bounding-volume tree over boxes that move. Finds the boxes that a query box meets. Nodes that
+ * the query does not meet are left out with all that they contain. The tree is not balanced: in the
+ * worst case, the time for a query or a motion grows with the number of boxes.
  *
  * <p>The tree holds each box with some slack around it. A box that moves within its slack leaves
  * the tree as it is. One that leaves it is taken out and inserted where it enlarges the other nodes

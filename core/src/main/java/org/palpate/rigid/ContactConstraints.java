@@ -14,8 +14,8 @@ import org.palpate.rigid.tool.KineticMetric;
  * order. Depth costs more than distance from the device, so it is 0 unless it allows a larger
  * approach. On an open surface it never does; between opposing walls it does. Depth is continuous,
  * so a contact does not jump from the surface to the voxels. If the leg of a contact hits a voxel
- * nevertheless, the height that the contact requires is raised step by step. Finally a contact with
- * the face of the voxel is added.
+ * nevertheless, the height that the contact requires is raised step by step. After the last raise,
+ * or earlier if the contact cannot rise so far, a contact with the face of the voxel is added.
  *
  * <p>Reference: constraint-based six-degree-of-freedom god object, Ortega, Redon and Coquillart
  * 2007. The metric is theirs; surface and depth are added here. Haptic thread only; allocates

@@ -72,8 +72,8 @@ final class MoverVerifier {
    *
    * @param pairs by the index of the other mover; null where the two never move against each other
    * @param fields the surface of each pair
-   * @param broadPhase of the scene
-   * @param limits of steps; this sets them
+   * @param broadPhase the broad phase of the scene
+   * @param limits the limits of steps, which this sets
    * @param skips whether to leave out pairs that the broad phase does not find; answers are the
    *     same
    */

@@ -43,7 +43,7 @@ public final class ToolContacts {
 
   /**
    * Returns the height of the touched point over the surface of the body, mm: hardly more than 0 in
-   * mode {@code points}, and at least the clearance in mode {@code body}.
+   * mode {@code points}, and at least the clearance that the point keeps in mode {@code body}.
    */
   public double heightMm(int contact) {
     return heightMm[contact];
