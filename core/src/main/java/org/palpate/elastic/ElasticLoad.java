@@ -13,6 +13,11 @@ final class ElasticLoad {
   /** The force on the material, N. */
   final Vec3 forceNewton = new Vec3();
 
+  /** Whether this is the load of a recorded update to the bit. */
+  boolean isOf(RecordedUpdate update) {
+    return point.sameBits(update.point()) && forceNewton.sameBits(update.forceNewton());
+  }
+
   /** Copies another load. */
   void set(ElasticLoad other) {
     point.set(other.point);

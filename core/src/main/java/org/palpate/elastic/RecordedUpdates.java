@@ -5,12 +5,19 @@ import java.util.List;
 /**
  * Updates an elastic body as a recorded session did: the same loads, and each field in use from the
  * same frame on. So a replay gives the bits of the session. One thread.
+ *
+ * <p>Each load is that of a frame of the session. {@link UpdateCounters#elsewhere} counts those
+ * that no frame of the replay reached before the field came into use.
  */
 public final class RecordedUpdates {
   private final ElasticBody body;
   private final List<RecordedUpdate> recorded;
   private final ElasticLoad load = new ElasticLoad();
   private int next;
+
+  /** The next update whose load is to be reached. */
+  private int awaited;
+
   private long frame;
 
   /**
@@ -36,14 +43,28 @@ public final class RecordedUpdates {
    * Computes the field that comes into use in the next frame, if any. Call it before each frame.
    */
   public void beforeFrame() {
+    passReachedLoads();
     int end = next;
     for (int n = next; n < recorded.size() && recorded.get(n).frame() <= frame; n++) {
       end = recorded.get(n).frame() == RecordedUpdate.UNUSED ? end : n + 1;
     }
     while (next < end) {
+      if (awaited == next) {
+        body.counters().countElsewhere();
+        awaited++;
+        passReachedLoads();
+      }
       update(recorded.get(next++));
     }
     frame++;
+  }
+
+  /** Passes over the updates with the load of the last frame; several may have the same one. */
+  private void passReachedLoads() {
+    ElasticLoad last = body.contact().load();
+    while (awaited < recorded.size() && last.isOf(recorded.get(awaited))) {
+      awaited++;
+    }
   }
 
   private void update(RecordedUpdate update) {

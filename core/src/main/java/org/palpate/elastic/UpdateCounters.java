@@ -13,6 +13,7 @@ public final class UpdateCounters {
   private long skipped;
   private long scaledBack;
   private long refused;
+  private long elsewhere;
   private double worstResidual;
 
   void count(boolean wasScaledBack) {
@@ -30,6 +31,10 @@ public final class UpdateCounters {
 
   void countRefused() {
     refused++;
+  }
+
+  void countElsewhere() {
+    elsewhere++;
   }
 
   void noteResidual(double relative) {
@@ -59,6 +64,14 @@ public final class UpdateCounters {
   /** Returns the number of updates that could not be proved and were not used. */
   public long refused() {
     return refused;
+  }
+
+  /**
+   * Returns the number of recorded loads that a replay did not reach to the bit; 0 if it repeats
+   * the session, or if no updates were recorded.
+   */
+  public long elsewhere() {
+    return elsewhere;
   }
 
   /** Returns the largest residual that an update left, over its load. */

@@ -104,6 +104,39 @@ class RecordedUpdatesTest {
     }
     assertTrue(moved > FRAMES / 2, "moved " + moved);
     assertTrue(touch.body.counters().updates() > 20);
+    assertEquals(0, touch.body.counters().elsewhere());
+  }
+
+  @Test
+  void aLoadThatNoFrameReachesIsElsewhere() {
+    session();
+    int last = recorded.size() - 1;
+    while (recorded.get(last).frame() == RecordedUpdate.UNUSED) {
+      last--;
+    }
+    RecordedUpdate row = recorded.get(last);
+    Vec3 place = row.point();
+    Vec3 force = row.forceNewton();
+    Vec3 otherPlace = new Vec3(place.x, place.y, Math.nextUp(place.z));
+    Vec3 otherForce = new Vec3(force.x, force.y, Math.nextUp(force.z));
+    recorded.set(last, new RecordedUpdate(row.frame(), otherPlace, force, row.refills()));
+    assertEquals(1, elsewhere());
+    recorded.set(last, new RecordedUpdate(row.frame(), place, otherForce, row.refills()));
+    assertEquals(1, elsewhere());
+    recorded.set(last, row);
+    assertEquals(0, elsewhere());
+  }
+
+  /** Replays the session and returns the number of loads that the replay did not reach. */
+  private long elsewhere() {
+    ElasticTouch touch = touch();
+    RecordedUpdates updates = new RecordedUpdates(touch.body, recorded);
+    for (int n = 0; n < FRAMES; n++) {
+      updates.beforeFrame();
+      moveHand(touch, n);
+      touch.runWithoutUpdate();
+    }
+    return touch.body.counters().elsewhere();
   }
 
   @Test

@@ -23,6 +23,7 @@ public final class ElasticFields {
     fields.put("worst_residual", counts.worstResidual());
     fields.put("clipped_frames", body.contact().clippedFrames());
     fields.put("lowered_frames", body.contact().loweredFrames());
+    fields.put("elsewhere", counts.elsewhere());
     fields.put("free_parts", body.freeParts());
     return fields;
   }
