@@ -13,6 +13,13 @@ public final class Pose {
   /** The rotation, of norm 1 in every pose that transforms something. */
   public final Quaternion rotation = new Quaternion();
 
+  /** Returns a pose that does not turn its object, and puts the object's origin at (x,y,z), mm. */
+  public static Pose at(double x, double y, double z) {
+    Pose pose = new Pose();
+    pose.translation.set(x, y, z);
+    return pose;
+  }
+
   /** Copies the other pose. */
   public Pose set(Pose other) {
     translation.set(other.translation);

@@ -109,23 +109,17 @@ class CpuCollisionDeviceTest {
     points[0].set(0, 0, 0);
     LegBatch batch = batch();
     AffineMap start = new AffineMap();
-    start.set(poseAt(30, 30, 30));
-    AffineMap near = new AffineMap().set(poseAt(9.5, 9.5, 9.5));
+    start.set(Pose.at(30, 30, 30));
+    AffineMap near = new AffineMap().set(Pose.at(9.5, 9.5, 9.5));
     motions.begin(start);
     motions.add(near);
     batch.judge(motions);
     assertEquals(LegVerdict.HIT, batch.verdict(0, 0));
     motions.begin(start);
-    motions.add(new AffineMap().set(poseAt(60, 60, 60)));
+    motions.add(new AffineMap().set(Pose.at(60, 60, 60)));
     assertEquals(LegVerdict.HIT, batch.verdict(0, 0), "not judged yet");
     batch.judge(motions);
     assertEquals(LegVerdict.FREE, batch.verdict(0, 0));
-  }
-
-  private static Pose poseAt(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
   }
 
   /** The distance to the nearest closed voxel, by the largest component, bounds the cube. */
@@ -183,8 +177,8 @@ class CpuCollisionDeviceTest {
     bits.clear(0, 0, 0);
     points[0].set(0, 0, 0);
     LegBatch batch = batch();
-    motions.begin(new AffineMap().set(poseAt(-3, 0.5, 0.5)));
-    motions.add(new AffineMap().set(poseAt(0.5, 0.5, 0.5)));
+    motions.begin(new AffineMap().set(Pose.at(-3, 0.5, 0.5)));
+    motions.add(new AffineMap().set(Pose.at(0.5, 0.5, 0.5)));
     batch.judge(motions);
     assertEquals(LegVerdict.FREE, batch.verdict(0, 0));
     bits.set(0, 0, 0);

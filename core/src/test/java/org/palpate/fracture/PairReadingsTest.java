@@ -170,8 +170,8 @@ class PairReadingsTest {
 
   @Test
   void voxelsThatTouchDoNotOverlapButTheSmallestDepthDoes() {
-    assertEquals(0, overlapsOfDot(moved(1, 0, 0)));
-    assertEquals(1, overlapsOfDot(moved(1 - 1e-6, 0, 0)));
+    assertEquals(0, overlapsOfDot(Pose.at(1, 0, 0)));
+    assertEquals(1, overlapsOfDot(Pose.at(1 - 1e-6, 0, 0)));
     double edgeBeside = 0.5 + 0.5 + Math.sqrt(0.5);
     Pose turned = new Pose();
     turned.rotation.setRotationVector(new Vec3(0, 0, Math.PI / 4));
@@ -180,12 +180,6 @@ class PairReadingsTest {
     assertEquals(0, overlapsOfDot(turned));
     turned.translation.x -= 1e-5;
     assertEquals(1, overlapsOfDot(turned));
-  }
-
-  private static Pose moved(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
   }
 
   /** Counts for a voxel at rest and one at a pose, whichever is the first. */

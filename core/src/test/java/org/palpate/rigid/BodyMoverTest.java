@@ -39,18 +39,12 @@ class BodyMoverTest {
     Body body =
         new Body(
             name, bits, VoxelGrid.ofUnitVoxels(bits.sizeX(), bits.sizeY(), bits.sizeZ()), mobility);
-    body.setPose(at(x, 0, 0));
+    body.setPose(Pose.at(x, 0, 0));
     return body;
   }
 
   private static Body block(String name, Mobility mobility, double x) {
     return body(name, ToolScenes.block(8, 8, 8), mobility, x);
-  }
-
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
   }
 
   private static RigidSolver solver(BodyScene scene, RigidTool tool, boolean whole, boolean skips) {
@@ -80,7 +74,7 @@ class BodyMoverTest {
   @Test
   void aBodyReachesItsGoalBitForBitByStepsOfAtMostTheLongestStep() {
     BodyScene scene = new BodyScene(List.of(block("block", Mobility.MOVABLE, 0)));
-    RigidSolver solver = placed(scene, ToolSampler.point(), at(0, 0, 90));
+    RigidSolver solver = placed(scene, ToolSampler.point(), Pose.at(0, 0, 90));
     Pose goal = new Pose();
     goal.rotation.setRotationVector(new Vec3(0.3, -0.5, 1));
     goal.translation.set(40, 0.1, -7.25);
@@ -90,7 +84,7 @@ class BodyMoverTest {
     Vec3 corner = new Vec3();
     while (solver.bodies().hasWork()) {
       before.set(scene.body(0).pose());
-      solver.follow(at(0, 0, 90), motion);
+      solver.follow(Pose.at(0, 0, 90), motion);
       before.transform(corner.set(8, 8, 8), corner);
       Vec3 after = scene.body(0).pose().transform(new Vec3(8, 8, 8), new Vec3());
       assertTrue(after.sub(corner, corner).length() <= MAX_STEP_MM);
@@ -106,14 +100,14 @@ class BodyMoverTest {
     BodyScene scene =
         new BodyScene(
             List.of(block("first", Mobility.MOVABLE, 0), block("second", Mobility.MOVABLE, 20)));
-    RigidSolver solver = placed(scene, ToolSampler.point(), at(0, 0, 90));
-    solver.bodies().setGoal(0, at(40, 0, 0));
-    follow(solver, at(0, 0, 90), 50);
+    RigidSolver solver = placed(scene, ToolSampler.point(), Pose.at(0, 0, 90));
+    solver.bodies().setGoal(0, Pose.at(40, 0, 0));
+    follow(solver, Pose.at(0, 0, 90), 50);
     double x = scene.body(0).pose().translation.x;
     assertTrue(x < 12 && x > 10, "stopped before the second: " + x);
     assertTrue(solver.bodies().heldBack() > 20);
-    solver.bodies().setGoal(1, at(20, 30, 0));
-    follow(solver, at(0, 0, 90), 50);
+    solver.bodies().setGoal(1, Pose.at(20, 30, 0));
+    follow(solver, Pose.at(0, 0, 90), 50);
     assertEquals(40, scene.body(0).pose().translation.x);
   }
 
@@ -124,16 +118,16 @@ class BodyMoverTest {
     bits.set(19, 7, 7);
     Body other = body("other", bits, Mobility.FIXED, 20);
     BodyScene scene = new BodyScene(List.of(block, other));
-    RigidSolver solver = placed(scene, ToolSampler.point(), at(0, 0, 90));
-    solver.bodies().setGoal(0, at(0.5, 0, 0));
-    follow(solver, at(0, 0, 90), 5);
+    RigidSolver solver = placed(scene, ToolSampler.point(), Pose.at(0, 0, 90));
+    solver.bodies().setGoal(0, Pose.at(0.5, 0, 0));
+    follow(solver, Pose.at(0, 0, 90), 5);
     assertEquals(0.5, block.pose().translation.x);
     bits.set(0, 3, 3); // from x = 20 to 21
     IntBox changed = new IntBox();
     changed.include(0, 3, 3);
     other.voxelsChanged(changed);
-    solver.bodies().setGoal(0, at(25, 0, 0));
-    follow(solver, at(0, 0, 90), 50);
+    solver.bodies().setGoal(0, Pose.at(25, 0, 0));
+    follow(solver, Pose.at(0, 0, 90), 50);
     assertTrue(block.pose().translation.x < 12, "stopped at " + block.pose());
   }
 
@@ -141,15 +135,15 @@ class BodyMoverTest {
   void aBodyPushesTheToolWhichReturnsToItsDeviceWhenTheBodyLeaves() {
     BodyScene scene = new BodyScene(List.of(block("block", Mobility.MOVABLE, 0)));
     RigidTool ball = ToolSampler.ofShape(RodShape.sphere(2), 0.4);
-    Pose device = at(12, 4, 4);
+    Pose device = Pose.at(12, 4, 4);
     RigidSolver solver = placed(scene, ball, device);
-    solver.bodies().setGoal(0, at(6, 0, 0));
+    solver.bodies().setGoal(0, Pose.at(6, 0, 0));
     follow(solver, device, 60);
     assertEquals(6, scene.body(0).pose().translation.x);
     assertTrue(solver.bodies().pushes() > 0);
     assertTrue(motion.pose().translation.x > 15.9, "pushed: " + motion.pose());
     assertTrue(motion.contact());
-    solver.bodies().setGoal(0, at(-10, 0, 0));
+    solver.bodies().setGoal(0, Pose.at(-10, 0, 0));
     follow(solver, device, 60);
     assertTrue(motion.pose().sameBits(device));
   }
@@ -158,9 +152,9 @@ class BodyMoverTest {
   void aToolIsNotPushedFartherFromItsDeviceThanTheLimit() {
     BodyScene scene = new BodyScene(List.of(block("block", Mobility.MOVABLE, 0)));
     RigidTool ball = ToolSampler.ofShape(RodShape.sphere(2), 0.4);
-    Pose device = at(12, 4, 4);
+    Pose device = Pose.at(12, 4, 4);
     RigidSolver solver = placed(scene, ball, device);
-    solver.bodies().setGoal(0, at(60, 0, 0));
+    solver.bodies().setGoal(0, Pose.at(60, 0, 0));
     follow(solver, device, 200);
     double pushed = motion.pose().translation.x - 12;
     assertTrue(pushed > 10 && pushed <= BodyMover.FARTHEST_PUSH_EDGES, "pushed by " + pushed);
@@ -173,9 +167,9 @@ class BodyMoverTest {
         new BodyScene(
             List.of(block("block", Mobility.MOVABLE, 0), block("wall", Mobility.FIXED, 20)));
     RigidTool ball = ToolSampler.ofShape(RodShape.sphere(2), 0.4);
-    Pose device = at(14, 4, 4);
+    Pose device = Pose.at(14, 4, 4);
     RigidSolver solver = placed(scene, ball, device);
-    solver.bodies().setGoal(0, at(12, 0, 0));
+    solver.bodies().setGoal(0, Pose.at(12, 0, 0));
     follow(solver, device, 100);
     double gap = 20 - 8 - scene.body(0).pose().translation.x;
     assertTrue(gap >= 4 && gap < 5.5, "gap for a ball of 4 mm: " + gap);
@@ -186,9 +180,9 @@ class BodyMoverTest {
   void withoutANewDevicePoseBodiesMoveAndPushAllTheSame() {
     BodyScene scene = new BodyScene(List.of(block("block", Mobility.MOVABLE, 0)));
     RigidTool ball = ToolSampler.ofShape(RodShape.sphere(2), 0.4);
-    RigidSolver solver = placed(scene, ball, at(12, 4, 4));
-    follow(solver, at(12, 4, 4), 1);
-    solver.bodies().setGoal(0, at(6, 0, 0));
+    RigidSolver solver = placed(scene, ball, Pose.at(12, 4, 4));
+    follow(solver, Pose.at(12, 4, 4), 1);
+    solver.bodies().setGoal(0, Pose.at(6, 0, 0));
     for (int frame = 0; frame < 30; frame++) {
       solver.rest(motion);
     }
@@ -233,7 +227,8 @@ class BodyMoverTest {
             List.of(block("first", Mobility.MOVABLE, 0), block("second", Mobility.FIXED, 20)));
     BodyMover bodies = solver(scene, ToolSampler.point(), false, true).bodies();
     assertThrows(IllegalArgumentException.class, () -> bodies.setGoal(1, new Pose()));
-    assertThrows(IllegalArgumentException.class, () -> bodies.setGoal(0, at(Double.NaN, 0, 0)));
+    assertThrows(
+        IllegalArgumentException.class, () -> bodies.setGoal(0, Pose.at(Double.NaN, 0, 0)));
     Pose twice = new Pose();
     twice.rotation.set(2, 0, 0, 0);
     assertThrows(IllegalArgumentException.class, () -> bodies.setGoal(0, twice));
@@ -257,7 +252,7 @@ class BodyMoverTest {
     RigidSolver solver = solver(scene, tool, whole, skips);
     ToolMotion motion = solver.newMotion();
     HostilePoses device = new HostilePoses(random, 20);
-    solver.place(at(0, 0, 40), motion);
+    solver.place(Pose.at(0, 0, 40), motion);
     List<String> poses = new ArrayList<>();
     for (int frame = 0; frame < 400; frame++) {
       if (frame % 10 == 0) {
@@ -300,8 +295,8 @@ class BodyMoverTest {
     RigidSolver solver =
         solver(scene, ToolSampler.ofShape(RodShape.capsule(1, 4), 0.5), true, true);
     ToolMotion motion = solver.newMotion();
-    solver.place(at(0, 0, 40), motion);
-    Pose device = at(0, 0, 40);
+    solver.place(Pose.at(0, 0, 40), motion);
+    Pose device = Pose.at(0, 0, 40);
     List<String> poses = new ArrayList<>();
     for (int frame = 0; frame < frames; frame++) {
       for (int n = 0; n < count; n++) {
@@ -347,8 +342,8 @@ class BodyMoverTest {
     RigidSolver slow = solver(again, ToolSampler.point(), false, false);
     motion = quick.newMotion();
     ToolMotion slowMotion = slow.newMotion();
-    quick.place(at(0, 0, 90), motion);
-    slow.place(at(0, 0, 90), slowMotion);
+    quick.place(Pose.at(0, 0, 90), motion);
+    slow.place(Pose.at(0, 0, 90), slowMotion);
     Pose goal = new Pose();
     for (int n = 0; n < scene.count(); n++) {
       goal.set(scene.body(n).pose());
@@ -381,7 +376,7 @@ class BodyMoverTest {
     List<Body> bodies = new ArrayList<>();
     for (int n = 0; n < 25; n++) {
       Body block = block("block" + n, Mobility.MOVABLE, 0);
-      block.setPose(at(8.5 * (4 - n / 5), 8.5 * (n % 5), 0));
+      block.setPose(Pose.at(8.5 * (4 - n / 5), 8.5 * (n % 5), 0));
       bodies.add(block);
     }
     return new BodyScene(bodies);
@@ -392,13 +387,13 @@ class BodyMoverTest {
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     BodyScene scene = clutter(random.nextLong());
     RigidTool tool = ToolSampler.ofShape(RodShape.capsule(1, 4), 0.5);
-    RigidSolver solver = placed(scene, tool, at(0, 0, 40));
+    RigidSolver solver = placed(scene, tool, Pose.at(0, 0, 40));
     RigidSolver held = solver.ofBody(1);
     Pose[] goals = new Pose[100];
     for (int n = 0; n < goals.length; n++) {
       goals[n] = RandomGeometry.pose(random, 15);
     }
-    Pose device = at(0, 0, 0);
+    Pose device = Pose.at(0, 0, 0);
     List<Long> allocated = new ArrayList<>();
     while (allocated.size() < 8
         && (allocated.isEmpty() || allocated.get(allocated.size() - 1) > 0)) {

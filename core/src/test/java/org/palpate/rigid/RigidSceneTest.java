@@ -12,7 +12,6 @@ import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.geometry.Pose;
-import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
 import org.palpate.rigid.tool.ToolSampler;
@@ -23,14 +22,8 @@ class RigidSceneTest {
   private static Body block(String name, int edge, Mobility mobility, double x) {
     VoxelGrid grid = VoxelGrid.ofUnitVoxels(edge, edge, edge);
     Body body = new Body(name, ToolScenes.block(edge, edge, edge), grid, mobility);
-    body.setPose(at(x, 0, 0));
+    body.setPose(Pose.at(x, 0, 0));
     return body;
-  }
-
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(new Vec3(x, y, z));
-    return pose;
   }
 
   @Test
@@ -48,11 +41,11 @@ class RigidSceneTest {
             RigidSettings.ofWholeBodies(4, scene, ball));
     RigidSolver solver = new RigidSolver(rigid);
     ToolMotion motion = solver.newMotion();
-    block.setPose(at(-5.5, -5.5, -5.5)); // the dot is in its middle
-    assertTrue(solver.place(at(-29.9, 4, 4), motion), "0.1 mm from the wall");
+    block.setPose(Pose.at(-5.5, -5.5, -5.5)); // the dot is in its middle
+    assertTrue(solver.place(Pose.at(-29.9, 4, 4), motion), "0.1 mm from the wall");
     assertTrue(motion.reducedPoints() > 0, "nearer than the clearance");
     for (int frame = 0; frame < 100; frame++) {
-      solver.follow(at(-25, 4, 4), motion);
+      solver.follow(Pose.at(-25, 4, 4), motion);
     }
     assertTrue(rigid.verifier(1).pair(0).enclosure().isPending(), "the block encloses the dot");
     assertEquals(0, motion.reducedPoints(), "the tool encloses nothing");
@@ -70,9 +63,9 @@ class RigidSceneTest {
                 scene, ToolSampler.point(), MovableShapes.ofWholeBodies(scene, 0), settings));
     ToolMotion motion = solver.newMotion();
     for (double x : new double[] {-0.5, -5.5}) { // the dot at the surface, and in the middle
-      block.setPose(at(x, -5.5, -5.5));
-      solver.place(at(0, 0, 90), motion);
-      solver.bodies().setGoal(1, at(x - 1, -5.5, -5.5));
+      block.setPose(Pose.at(x, -5.5, -5.5));
+      solver.place(Pose.at(0, 0, 90), motion);
+      solver.bodies().setGoal(1, Pose.at(x - 1, -5.5, -5.5));
       solver.rest(motion);
       solver.rest(motion);
       assertEquals(x == -0.5 ? x : x - 1, block.pose().translation.x);

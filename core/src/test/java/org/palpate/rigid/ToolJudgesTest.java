@@ -37,12 +37,6 @@ class ToolJudgesTest {
     return new Body("dot", bits, VoxelGrid.ofUnitVoxels(7, 7, 7), Mobility.FIXED);
   }
 
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
-  }
-
   /** Sets the path of the next frame. */
   private void path(Pose... poses) {
     motion.placeAt(poses[0]);
@@ -54,63 +48,63 @@ class ToolJudgesTest {
 
   @Test
   void aChainOfStepsBesideTheVoxelIsFree() {
-    path(at(0, 0, 0));
+    path(Pose.at(0, 0, 0));
     assertNull(judge.begin(motion));
-    path(at(0, 0, 0), at(2, 0, 0), at(2, 5, 0));
+    path(Pose.at(0, 0, 0), Pose.at(2, 0, 0), Pose.at(2, 5, 0));
     assertNull(judge.fault(motion));
-    path(at(2, 5, 0));
+    path(Pose.at(2, 5, 0));
     assertNull(judge.fault(motion));
     assertEquals(3, judge.legs(), "one at the begin and two steps");
   }
 
   @Test
   void aToolThatBeginsInAVoxelIsFound() {
-    path(at(3.5, 3.5, 4));
+    path(Pose.at(3.5, 3.5, 4));
     assertNotNull(judge.begin(motion), "on its face");
-    path(at(3.5, 3.5, Math.nextUp(4.0)));
+    path(Pose.at(3.5, 3.5, Math.nextUp(4.0)));
     assertNull(judge.begin(motion));
-    path(at(0, 0, 0), at(3.5, 3.5, 3.5));
+    path(Pose.at(0, 0, 0), Pose.at(3.5, 3.5, 3.5));
     assertNull(judge.beginOfFrame(motion), "the frame began outside");
     assertNotNull(judge.begin(motion), "and ended inside");
   }
 
   @Test
   void theStepThatTouchesIsNamed() {
-    path(at(0, 0, 0));
+    path(Pose.at(0, 0, 0));
     judge.begin(motion);
-    path(at(0, 0, 0), at(0, 3.5, 3.5), at(9, 3.5, 3.5));
+    path(Pose.at(0, 0, 0), Pose.at(0, 3.5, 3.5), Pose.at(9, 3.5, 3.5));
     String fault = judge.fault(motion);
     assertTrue(fault.startsWith("step 1 of 2: body 0 point 0"), fault);
   }
 
   @Test
   void aFrameThatStartsElsewhereIsFound() {
-    path(at(0, 0, 0));
+    path(Pose.at(0, 0, 0));
     judge.begin(motion);
-    path(at(Double.MIN_VALUE, 0, 0), at(2, 0, 0));
+    path(Pose.at(Double.MIN_VALUE, 0, 0), Pose.at(2, 0, 0));
     assertTrue(judge.fault(motion).startsWith("frame starts at"));
-    path(at(0, 0, 0), at(2, 0, 0));
+    path(Pose.at(0, 0, 0), Pose.at(2, 0, 0));
     assertNull(judge.fault(motion));
-    path(at(0, 0, 0), at(1, 0, 0));
+    path(Pose.at(0, 0, 0), Pose.at(1, 0, 0));
     assertTrue(judge.fault(motion).startsWith("frame starts at"), "the last one ended at 2");
   }
 
   @Test
   void aToolThatIsSetFreeBeginsANewChainAndMustBeFree() {
-    path(at(0, 0, 0));
+    path(Pose.at(0, 0, 0));
     judge.begin(motion);
-    path(at(6, 6, 6));
+    path(Pose.at(6, 6, 6));
     motion.freed = true;
     assertNull(judge.fault(motion));
-    path(at(6, 6, 6), at(6, 6, 5));
+    path(Pose.at(6, 6, 6), Pose.at(6, 6, 5));
     assertNull(judge.fault(motion));
-    path(at(3.5, 3.5, 3.5));
+    path(Pose.at(3.5, 3.5, 3.5));
     motion.freed = true;
     assertTrue(judge.fault(motion).startsWith("set free in a solid"));
   }
 
   private static Pose randomPose(SplittableRandom random) {
-    Pose pose = at(random.nextDouble(2, 5), random.nextDouble(2, 5), random.nextDouble(2, 5));
+    Pose pose = Pose.at(random.nextDouble(2, 5), random.nextDouble(2, 5), random.nextDouble(2, 5));
     pose.rotation.setRotationVector(
         new Vec3(random.nextDouble(-2, 2), random.nextDouble(-2, 2), random.nextDouble(-2, 2)));
     return pose;
@@ -164,18 +158,18 @@ class ToolJudgesTest {
   @Test
   void facesThatTouchDoNotOverlapAndTheGapIsTheirDistance() {
     OverlapJudge cubes = new OverlapJudge(new BoxShape(2, 2, 2));
-    assertFalse(cubes.overlaps(scene, at(5, 3.5, 3.5)), "its face is the plane x = 4");
+    assertFalse(cubes.overlaps(scene, Pose.at(5, 3.5, 3.5)), "its face is the plane x = 4");
     assertEquals(0, cubes.leastGapMm(), 1e-12);
-    assertTrue(cubes.overlaps(scene, at(5 - 1e-6, 3.5, 3.5)));
+    assertTrue(cubes.overlaps(scene, Pose.at(5 - 1e-6, 3.5, 3.5)));
     assertEquals(-1e-6, cubes.leastGapMm(), 1e-12);
     OverlapJudge away = new OverlapJudge(new BoxShape(2, 2, 2));
-    assertFalse(away.overlaps(scene, at(3.5, 3.5, 1.75)));
+    assertFalse(away.overlaps(scene, Pose.at(3.5, 3.5, 1.75)));
     assertEquals(0.25, away.leastGapMm(), 1e-12);
   }
 
   @Test
   void aBoxOnItsEdgeIsAsWideAsItsDiagonal() {
-    Pose turned = at(3.5, 3.5, 4 + Math.sqrt(2));
+    Pose turned = Pose.at(3.5, 3.5, 4 + Math.sqrt(2));
     turned.rotation.setRotationVector(new Vec3(Math.PI / 4, 0, 0));
     OverlapJudge edge = new OverlapJudge(new BoxShape(2, 2, 2));
     turned.translation.z += 1e-6;
@@ -192,21 +186,21 @@ class ToolJudgesTest {
     RigidTool tool = ToolSampler.ofSegment(bits, VoxelGrid.ofUnitVoxels(4, 1, 1));
     OverlapJudge two = new OverlapJudge(bits, tool);
     // The reference point is the middle of both voxels: they lie from 1 to 2 beside it.
-    assertTrue(two.overlaps(scene, at(3.5 - 1.5, 3.5, 3.5)));
-    assertTrue(two.overlaps(scene, at(3.5 + 1.5, 3.5, 3.5)));
-    assertFalse(two.overlaps(scene, at(3.5, 3.5, 3.5)), "the voxel fits between them");
-    assertFalse(two.overlaps(scene, at(3.5, 4.5, 3.5)));
+    assertTrue(two.overlaps(scene, Pose.at(3.5 - 1.5, 3.5, 3.5)));
+    assertTrue(two.overlaps(scene, Pose.at(3.5 + 1.5, 3.5, 3.5)));
+    assertFalse(two.overlaps(scene, Pose.at(3.5, 3.5, 3.5)), "the voxel fits between them");
+    assertFalse(two.overlaps(scene, Pose.at(3.5, 4.5, 3.5)));
   }
 
   @Test
   void anyBodyOfASceneCanOverlap() {
     Body second = dot();
-    second.setPose(at(20, 0, 0));
+    second.setPose(Pose.at(20, 0, 0));
     BodyScene both = new BodyScene(List.of(dot(), second));
     OverlapJudge cube = new OverlapJudge(new BoxShape(1, 1, 1));
-    assertTrue(cube.overlaps(both, at(3.2, 3.2, 3.2)));
-    assertTrue(cube.overlaps(both, at(23.2, 3.2, 3.2)));
-    assertFalse(cube.overlaps(both, at(13.2, 3.2, 3.2)));
+    assertTrue(cube.overlaps(both, Pose.at(3.2, 3.2, 3.2)));
+    assertTrue(cube.overlaps(both, Pose.at(23.2, 3.2, 3.2)));
+    assertFalse(cube.overlaps(both, Pose.at(13.2, 3.2, 3.2)));
   }
 
   /**

@@ -171,11 +171,11 @@ final class GuaranteeStudy {
   /** Returns a pose that turns a grid about its middle, which lies near the origin. */
   private Pose pose(HostileScene scene) {
     Vec3 s = scene.spacingMm();
-    Pose centred = new Pose();
-    centred.translation.set(
-        -scene.bits().sizeX() * s.x / 2,
-        -scene.bits().sizeY() * s.y / 2,
-        -scene.bits().sizeZ() * s.z / 2);
+    Pose centred =
+        Pose.at(
+            -scene.bits().sizeX() * s.x / 2,
+            -scene.bits().sizeY() * s.y / 2,
+            -scene.bits().sizeZ() * s.z / 2);
     Pose turned = new Pose();
     double reach = reachMm(scene);
     turned.rotation.setRotationVector(new Vec3(angle(), angle(), angle()));

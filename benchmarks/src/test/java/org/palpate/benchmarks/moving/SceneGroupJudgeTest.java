@@ -43,14 +43,8 @@ class SceneGroupJudgeTest {
     BitCube bits = new BitCube(3, 3, 3);
     bits.set(1, 1, 1);
     Body body = new Body(name, bits, VoxelGrid.ofUnitVoxels(3, 3, 3), Mobility.MOVABLE);
-    body.setPose(pose(at.x, at.y, at.z));
+    body.setPose(Pose.at(at.x, at.y, at.z));
     return body;
-  }
-
-  private static Pose pose(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
   }
 
   /** Begins with a held dot at 0, a carried one at y = 10, and a third one where the judge sees. */
@@ -62,7 +56,7 @@ class SceneGroupJudgeTest {
     MovableShapes shapes = MovableShapes.ofPoints(known);
     tool = new RigidSolver(new RigidScene(known, point, shapes, SETTINGS));
     motion = tool.newMotion();
-    tool.place(pose(0, 90, 0), motion);
+    tool.place(Pose.at(0, 90, 0), motion);
     judge = new SceneLegJudge(seen, point, shapes);
     judge.begin(motion);
     take(true);
@@ -186,7 +180,7 @@ class SceneGroupJudgeTest {
   @Test
   void beginAgainTakesThePosesAsTheyAre() {
     begin(new Vec3(0, 0, 50));
-    seen.body(2).setPose(pose(3, 3, 3));
+    seen.body(2).setPose(Pose.at(3, 3, 3));
     pull(1, 0, 0);
     assertEquals(1, judge.broken());
     judge.letGo(motion);

@@ -37,14 +37,8 @@ class SceneJudgesTest {
     BitCube bits = new BitCube(3, 3, 3);
     bits.set(1, 1, 1);
     Body body = new Body(name, bits, VoxelGrid.ofUnitVoxels(3, 3, 3), Mobility.MOVABLE);
-    body.setPose(at(x, 0, 0));
+    body.setPose(Pose.at(x, 0, 0));
     return body;
-  }
-
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
   }
 
   /** Moves the second dot across the first or the tool, of which the solver knows nothing. */
@@ -57,11 +51,11 @@ class SceneJudgesTest {
     MovableShapes shapes = MovableShapes.ofPoints(known);
     RigidSolver solver = new RigidSolver(new RigidScene(known, point, shapes, SETTINGS));
     ToolMotion motion = solver.newMotion();
-    solver.place(at(0, 90, 0), motion);
+    solver.place(Pose.at(0, 90, 0), motion);
     SceneLegJudge judge = new SceneLegJudge(seen, point, shapes);
     judge.begin(motion);
-    solver.bodies().setGoal(1, at(-10, 0, 0));
-    solver.follow(at(toolX, 90, 0), motion);
+    solver.bodies().setGoal(1, Pose.at(-10, 0, 0));
+    solver.follow(Pose.at(toolX, 90, 0), motion);
     judge.judge(motion);
     return judge;
   }
@@ -75,17 +69,17 @@ class SceneJudgesTest {
   }
 
   private void begin() {
-    solver.place(at(0, 90, 0), motion);
+    solver.place(Pose.at(0, 90, 0), motion);
     judge.begin(motion);
   }
 
   @Test
   void theLegJudgeFindsAMotionThatNobodyReported() {
     begin();
-    solver.follow(at(0, 91, 0), motion);
+    solver.follow(Pose.at(0, 91, 0), motion);
     judge.judge(motion);
     assertEquals(0, judge.broken());
-    dot.setPose(at(11, 0, 0));
+    dot.setPose(Pose.at(11, 0, 0));
     judge.judge(motion);
     assertTrue(judge.broken() > 0);
   }
@@ -93,7 +87,7 @@ class SceneJudgesTest {
   @Test
   void aToolThatIsSetFreeInAnUnchangedSceneBreaksTheChain() {
     begin();
-    solver.place(at(11.5, 1.5, 1.5), motion);
+    solver.place(Pose.at(11.5, 1.5, 1.5), motion);
     assertTrue(motion.freed());
     judge.judge(motion);
     assertTrue(judge.broken() > 0);
@@ -101,13 +95,13 @@ class SceneJudgesTest {
 
   @Test
   void theLegJudgeFindsABodyThatMovesOverTheTool() {
-    solver.place(at(5, 90, 1.5), motion);
-    solver.bodies().setGoal(0, at(-10, 0, 0));
+    solver.place(Pose.at(5, 90, 1.5), motion);
+    solver.bodies().setGoal(0, Pose.at(-10, 0, 0));
     ToolMotion planted = new ToolMotion(1);
     Vec3 inTheWay = new Vec3(5, 1.5, 1.5);
     planted.pose().translation.set(inTheWay);
     judge.begin(planted);
-    solver.follow(at(5, 90, 1.5), motion);
+    solver.follow(Pose.at(5, 90, 1.5), motion);
     motion.pathPose(0).translation.set(inTheWay);
     judge.judge(motion);
     assertEquals(1, judge.touching());

@@ -41,7 +41,7 @@ class SceneLegJudgeTest {
     bits.set(0, 1, 1);
     bits.set(1, 1, 2);
     Body body = new Body(name, bits, VoxelGrid.ofUnitVoxels(3, 3, 3), mobility);
-    body.setPose(at(x, 0, 0));
+    body.setPose(Pose.at(x, 0, 0));
     return body;
   }
 
@@ -53,18 +53,12 @@ class SceneLegJudgeTest {
     }
     bits.clear(1, 1, 2);
     Body body = new Body("block", bits, VoxelGrid.ofUnitVoxels(4, 3, 3), Mobility.MOVABLE);
-    body.setPose(at(x, 0, 0));
+    body.setPose(Pose.at(x, 0, 0));
     return body;
   }
 
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
-  }
-
   private Pose goal() {
-    Pose pose = at(coordinate(), coordinate(), coordinate());
+    Pose pose = Pose.at(coordinate(), coordinate(), coordinate());
     pose.rotation.setRotationVector(new Vec3(coordinate() / 4, coordinate() / 4, coordinate() / 4));
     return pose;
   }
@@ -86,13 +80,13 @@ class SceneLegJudgeTest {
       MovableShapes shapes = MovableShapes.ofPoints(known);
       RigidSolver solver = new RigidSolver(new RigidScene(known, point, shapes, settings));
       ToolMotion motion = solver.newMotion();
-      solver.place(at(0, 90, 0), motion);
+      solver.place(Pose.at(0, 90, 0), motion);
       BodyScene seen = new BodyScene(List.of(unseen, mover));
       SceneLegJudge judge = new SceneLegJudge(seen, point, shapes);
       judge.begin(motion);
       long before = judge.legs();
       solver.bodies().setGoal(1, goal());
-      solver.follow(at(0, 90, 0), motion);
+      solver.follow(Pose.at(0, 90, 0), motion);
       judge.judge(motion);
       BodyMotions moved = motion.bodies();
       RigidTool samples = shapes.shapes().get(0);
@@ -131,10 +125,10 @@ class SceneLegJudgeTest {
         new BodyScene(List.of(corner("a", Mobility.FIXED, 0), corner("b", Mobility.MOVABLE, 3)));
     BodyScene overlapping =
         new BodyScene(List.of(corner("a", Mobility.FIXED, 0), corner("b", Mobility.MOVABLE, 0.5)));
-    assertEquals(0, begun(apart, at(0, 90, 0)).touching());
-    assertTrue(begun(overlapping, at(0, 90, 0)).touching() > 0);
-    assertTrue(begun(apart, at(1.5, 1.5, 1.5)).touching() > 0, "the tool lies in the first");
-    assertTrue(begun(apart, at(4.5, 1.5, 1.5)).touching() > 0, "the tool lies in the second");
+    assertEquals(0, begun(apart, Pose.at(0, 90, 0)).touching());
+    assertTrue(begun(overlapping, Pose.at(0, 90, 0)).touching() > 0);
+    assertTrue(begun(apart, Pose.at(1.5, 1.5, 1.5)).touching() > 0, "the tool lies in the first");
+    assertTrue(begun(apart, Pose.at(4.5, 1.5, 1.5)).touching() > 0, "the tool lies in the second");
   }
 
   private SceneLegJudge begun(BodyScene bodies, Pose tool) {
@@ -149,7 +143,7 @@ class SceneLegJudgeTest {
   void bodiesOfWhichNoneCanMoveAreNotCompared() {
     BodyScene fixed =
         new BodyScene(List.of(corner("a", Mobility.FIXED, 0), corner("b", Mobility.FIXED, 0.5)));
-    assertEquals(0, begun(fixed, at(0, 90, 0)).touching());
+    assertEquals(0, begun(fixed, Pose.at(0, 90, 0)).touching());
   }
 
   @Test
@@ -158,7 +152,7 @@ class SceneLegJudgeTest {
     MovableShapes shapes = MovableShapes.ofPoints(bodies);
     RigidSolver solver = new RigidSolver(new RigidScene(bodies, point, shapes, settings));
     ToolMotion motion = solver.newMotion();
-    solver.place(at(0, 90, 0), motion);
+    solver.place(Pose.at(0, 90, 0), motion);
     SceneLegJudge judge = new SceneLegJudge(bodies, point, shapes);
     judge.begin(motion);
     RigidSolver held = solver.ofBody(0);
@@ -177,12 +171,12 @@ class SceneLegJudgeTest {
   @Test
   void aToolThatIsPlacedInABodyWhenTheHandLetsGoIsFound() {
     BodyScene bodies = new BodyScene(List.of(corner("body", Mobility.MOVABLE, 10)));
-    SceneLegJudge judge = begun(bodies, at(0, 90, 0));
+    SceneLegJudge judge = begun(bodies, Pose.at(0, 90, 0));
     ToolMotion placed = new ToolMotion(1);
-    placed.pose().set(at(5, 5, 5));
+    placed.pose().set(Pose.at(5, 5, 5));
     judge.letGo(placed);
     assertEquals(0, judge.touching());
-    placed.pose().set(at(11.5, 1.5, 1.5));
+    placed.pose().set(Pose.at(11.5, 1.5, 1.5));
     judge.letGo(placed);
     assertEquals(1, judge.touching());
   }

@@ -22,18 +22,12 @@ class JudgesTest {
     return SurfaceScene.scene(bits);
   }
 
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
-  }
-
   @Test
   void cuboidsThatTouchDoNotOverlapButTheSmallestDepthDoes() {
     SolidOverlap overlap = SolidOverlap.ofBox(new BoxShape(1, 1, 1));
-    assertFalse(overlap.overlaps(dot(), at(2.5, 1.5, 1.5)));
-    assertTrue(overlap.overlaps(dot(), at(2.5 - 1e-6, 1.5, 1.5)));
-    Pose turned = at(2 + Math.sqrt(0.5) + 1e-6, 1.5, 1.5);
+    assertFalse(overlap.overlaps(dot(), Pose.at(2.5, 1.5, 1.5)));
+    assertTrue(overlap.overlaps(dot(), Pose.at(2.5 - 1e-6, 1.5, 1.5)));
+    Pose turned = Pose.at(2 + Math.sqrt(0.5) + 1e-6, 1.5, 1.5);
     turned.rotation.setRotationVector(new Vec3(0, 0, Math.PI / 4));
     assertFalse(overlap.overlaps(dot(), turned));
     turned.translation.x -= 1e-5;
@@ -60,8 +54,8 @@ class JudgesTest {
   void aBallOverlapsACornerExactlyFromItsRadiusOn() {
     SolidOverlap overlap = SolidOverlap.ofBall(2);
     double side = 2 / Math.sqrt(3);
-    assertFalse(overlap.overlaps(dot(), at(2 + side + 1e-6, 2 + side, 2 + side)));
-    assertTrue(overlap.overlaps(dot(), at(2 + side - 1e-6, 2 + side - 1e-6, 2 + side - 1e-6)));
+    assertFalse(overlap.overlaps(dot(), Pose.at(2 + side + 1e-6, 2 + side, 2 + side)));
+    assertTrue(overlap.overlaps(dot(), Pose.at(2 + side - 1e-6, 2 + side - 1e-6, 2 + side - 1e-6)));
   }
 
   @Test
@@ -69,14 +63,14 @@ class JudgesTest {
     RigidTool point = ToolSampler.point();
     BodyScene empty = SurfaceScene.scene(new BitCube(3, 3, 3));
     ToolRun run = new ToolRun(empty, point, ToolClearance.POINTS);
-    run.start(at(0.5, 1.5, 1.5));
+    run.start(Pose.at(0.5, 1.5, 1.5));
     RigidLegJudge judge = new RigidLegJudge(10);
     judge.begin(run.motion);
-    run.follow(at(2.5, 1.5, 1.5));
+    run.follow(Pose.at(2.5, 1.5, 1.5));
     judge.judge(dot(), point, run.motion); // the solver did not know this solid
     assertEquals(List.of(1L, 1L, 0L), List.of(judge.legs(), judge.touching(), judge.broken()));
-    run.follow(at(2.5, 2.5, 1.5));
-    run.follow(at(2.5, 2.5, 2.5));
+    run.follow(Pose.at(2.5, 2.5, 1.5));
+    run.follow(Pose.at(2.5, 2.5, 2.5));
     judge.judge(dot(), point, run.motion);
     assertEquals(List.of(2L, 1L, 1L), List.of(judge.legs(), judge.touching(), judge.broken()));
     assertEquals(2, judge.compared());
@@ -90,9 +84,9 @@ class JudgesTest {
     assertEquals(1.25, keepOut.distanceFromLineMm(origin, new Vec3(0, 0, 1)), 1e-9);
     Vec3 diagonal = new Vec3(Math.sqrt(0.5), -Math.sqrt(0.5), 0);
     assertEquals(Math.sqrt(0.5), keepOut.distanceFromLineMm(new Vec3(3, 2, 1.5), diagonal), 1e-9);
-    assertTrue(keepOut.isFree(at(2.5, 1.5, 1.5)));
-    assertFalse(keepOut.isFree(at(1.5, 1.5, 1.5)));
-    assertFalse(keepOut.isFree(at(0.5, 1.5, 1.5), at(2.5, 1.5, 1.5)));
+    assertTrue(keepOut.isFree(Pose.at(2.5, 1.5, 1.5)));
+    assertFalse(keepOut.isFree(Pose.at(1.5, 1.5, 1.5)));
+    assertFalse(keepOut.isFree(Pose.at(0.5, 1.5, 1.5), Pose.at(2.5, 1.5, 1.5)));
   }
 
   /** Grown cells begin before the grid, and there are several for each voxel. */
@@ -107,10 +101,10 @@ class JudgesTest {
     assertTrue(grownMm < voxelMm - 0.2, "the growth counts: " + grownMm);
     assertEquals(
         grownMm, keepOut.distanceFromLineMm(new Vec3(1.5, -0.25, -7), up), 1e-9, "on both sides");
-    assertFalse(keepOut.isFree(at(2.2, 1.5, 1.5)), "0.2 mm from the voxel");
-    assertFalse(keepOut.isFree(at(1.5, 0.8, 1.5)), "0.2 mm from the voxel");
-    assertFalse(keepOut.isFree(at(1.5, 1.5, 2.2)), "0.2 mm from the voxel");
-    assertTrue(keepOut.isFree(at(2.9, 1.5, 1.5)));
+    assertFalse(keepOut.isFree(Pose.at(2.2, 1.5, 1.5)), "0.2 mm from the voxel");
+    assertFalse(keepOut.isFree(Pose.at(1.5, 0.8, 1.5)), "0.2 mm from the voxel");
+    assertFalse(keepOut.isFree(Pose.at(1.5, 1.5, 2.2)), "0.2 mm from the voxel");
+    assertTrue(keepOut.isFree(Pose.at(2.9, 1.5, 1.5)));
   }
 
   /** The nearest of many cells counts, in whatever order they come. */

@@ -22,7 +22,7 @@ class PenaltyPeerTest {
 
   private final RigidTool ball = MeasuredTools.ball(RADIUS_MM);
   private final PenaltyPeer peer = new PenaltyPeer(floor(), ball);
-  private final Pose device = at(24, 24, 40);
+  private final Pose device = Pose.at(24, 24, 40);
 
   private static BitCube floor() {
     BitCube bits = new BitCube(EDGE, EDGE, EDGE);
@@ -30,12 +30,6 @@ class PenaltyPeerTest {
       bits.set(n % EDGE, n / EDGE % EDGE, n / (EDGE * EDGE));
     }
     return bits;
-  }
-
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
   }
 
   private void follow(int frames) {
@@ -58,7 +52,7 @@ class PenaltyPeerTest {
    */
   @Test
   void awayFromTheFloorTheBallFollowsTheDeviceAsACriticallyDampedMass() {
-    peer.place(at(24, 24, 40));
+    peer.place(Pose.at(24, 24, 40));
     double damping = 2 * Math.sqrt(1_000 * 0.1);
     double metres = 0;
     double speed = 0;
@@ -93,7 +87,7 @@ class PenaltyPeerTest {
 
   @Test
   void theForceOfAPressedBallIsAlongTheNormalAndHoldsItNearTheSurface() {
-    peer.place(at(24, 24, 28));
+    peer.place(Pose.at(24, 24, 28));
     device.translation.set(24, 24, TOP + RADIUS_MM - 4);
     follow(600);
     Vec3 force = peer.force(device, new Vec3());
@@ -107,7 +101,7 @@ class PenaltyPeerTest {
   void aDeeperPressGivesALargerForceAndADeeperBall() {
     double lastForce = 0;
     double lastHeight = Double.POSITIVE_INFINITY;
-    peer.place(at(24, 24, 28));
+    peer.place(Pose.at(24, 24, 28));
     for (double depth : new double[] {1, 3, 5, 8}) {
       device.translation.set(24, 24, TOP + RADIUS_MM - depth);
       follow(400);
@@ -123,7 +117,7 @@ class PenaltyPeerTest {
   /** At rest the spring balances the contacts, each of which this test computes by itself. */
   @Test
   void atRestTheSpringBalancesTheSumOfTheContacts() {
-    peer.place(at(24, 24, 28));
+    peer.place(Pose.at(24, 24, 28));
     device.translation.set(24.3, 23.9, TOP + RADIUS_MM - 3);
     follow(4_000);
     Vec3 pull = peer.force(device, new Vec3());
@@ -156,10 +150,10 @@ class PenaltyPeerTest {
 
   @Test
   void aBallThatIsPlacedAnewForgetsItsMotion() {
-    peer.place(at(24, 24, 40));
+    peer.place(Pose.at(24, 24, 40));
     device.translation.set(40, 24, 40);
     follow(20);
-    peer.place(at(10, 10, 40));
+    peer.place(Pose.at(10, 10, 40));
     device.translation.set(10, 10, 40);
     peer.follow(device);
     assertEquals(0, peer.force(device, new Vec3()).length(), 1e-12);
@@ -167,7 +161,7 @@ class PenaltyPeerTest {
 
   @Test
   void aBallBesideTheGridTouchesNothing() {
-    peer.place(at(-40, 24, 5));
+    peer.place(Pose.at(-40, 24, 5));
     device.translation.set(-40, 24, 5);
     follow(5);
     assertEquals(0, peer.force(device, new Vec3()).length(), 1e-12);
@@ -225,15 +219,15 @@ class PenaltyPeerTest {
         contacts += addPush(layers, centre, ball.point(n, new Vec3()), pushes) ? 1 : 0;
       }
       double scale = 1 / Math.max(1, contacts / 10.0);
-      Pose expected = at(centre.x, centre.y, centre.z);
+      Pose expected = Pose.at(centre.x, centre.y, centre.z);
       Vec3 moved = pushes[0].mul(scale / 0.1 * 1e-6 * 1e3, new Vec3());
       double inertia = 0.1 * ball.rmsRadiusMm() * ball.rmsRadiusMm() * 1e-6;
       Vec3 turned = pushes[1].mul(scale * 1e-3 / inertia * 1e-6, new Vec3());
       expected.translation.add(moved, expected.translation);
       expected.rotation.setRotationVector(turned);
       touching += contacts;
-      among.place(at(centre.x, centre.y, centre.z));
-      among.follow(at(centre.x, centre.y, centre.z));
+      among.place(Pose.at(centre.x, centre.y, centre.z));
+      among.follow(Pose.at(centre.x, centre.y, centre.z));
       for (int n = 0; n < ball.count(); n++) {
         Vec3 p = expected.transform(ball.point(n, new Vec3()), new Vec3());
         double off = among.point(n, new Vec3()).sub(p, p).length();

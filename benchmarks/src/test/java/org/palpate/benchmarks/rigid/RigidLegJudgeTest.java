@@ -31,12 +31,6 @@ class RigidLegJudgeTest {
   private final SplittableRandom random = new SplittableRandom(SEED);
   private final RigidTool tool = ToolSampler.ofShape(new BoxShape(2, 1, 1), 0.8);
 
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
-  }
-
   private Body body(boolean solid, Pose pose) {
     BitCube bits = new BitCube(4, 4, 3);
     if (solid) {
@@ -51,7 +45,7 @@ class RigidLegJudgeTest {
   }
 
   private Pose pose(double reachMm) {
-    Pose pose = at(coordinate(reachMm), coordinate(reachMm), coordinate(reachMm));
+    Pose pose = Pose.at(coordinate(reachMm), coordinate(reachMm), coordinate(reachMm));
     pose.rotation.setRotationVector(new Vec3(coordinate(2), coordinate(2), coordinate(2)));
     return pose;
   }
@@ -120,11 +114,11 @@ class RigidLegJudgeTest {
   void aToolThatRestsHasNoLegsAndAnUnbrokenChain() {
     BodyScene empty = new BodyScene(List.of(body(false, new Pose())));
     ToolRun run = new ToolRun(empty, tool, ToolClearance.POINTS);
-    run.start(at(5, 5, 5));
+    run.start(Pose.at(5, 5, 5));
     RigidLegJudge judge = new RigidLegJudge(0);
     judge.begin(run.motion);
     for (int frame = 0; frame < 3; frame++) {
-      run.follow(at(5, 5, 5));
+      run.follow(Pose.at(5, 5, 5));
       judge.judge(empty, tool, run.motion);
     }
     assertEquals(List.of(0L, 0L), List.of(judge.legs(), judge.broken()));
@@ -134,11 +128,11 @@ class RigidLegJudgeTest {
   void everyFrameThatWasNotJudgedBreaksTheChainOnce() {
     BodyScene empty = new BodyScene(List.of(body(false, new Pose())));
     ToolRun run = new ToolRun(empty, tool, ToolClearance.POINTS);
-    run.start(at(5, 5, 5));
+    run.start(Pose.at(5, 5, 5));
     RigidLegJudge judge = new RigidLegJudge(0);
     judge.begin(run.motion);
     for (int frame = 1; frame <= 9; frame++) {
-      run.follow(at(5 + frame, 5, 5));
+      run.follow(Pose.at(5 + frame, 5, 5));
       if (frame % 3 != 0) {
         judge.judge(empty, tool, run.motion);
       }
@@ -150,15 +144,15 @@ class RigidLegJudgeTest {
   void aPoseThatDiffersInOneBitBreaksTheChainAndANewBeginningMendsIt() {
     BodyScene empty = new BodyScene(List.of(body(false, new Pose())));
     ToolRun run = new ToolRun(empty, tool, ToolClearance.POINTS);
-    run.start(at(5, 5, 5));
+    run.start(Pose.at(5, 5, 5));
     RigidLegJudge judge = new RigidLegJudge(0);
-    Pose other = at(5, Math.nextUp(5.0), 5);
+    Pose other = Pose.at(5, Math.nextUp(5.0), 5);
     judge.begin(other);
-    run.follow(at(6, 5, 5));
+    run.follow(Pose.at(6, 5, 5));
     judge.judge(empty, tool, run.motion);
     assertEquals(1, judge.broken());
     judge.begin(run.motion.pose());
-    run.follow(at(7, 5, 5));
+    run.follow(Pose.at(7, 5, 5));
     judge.judge(empty, tool, run.motion);
     assertEquals(1, judge.broken());
     assertEquals(2L * tool.count(), judge.legs());

@@ -17,12 +17,6 @@ class StatisticsTest {
   private static final long SEED = Long.getLong("palpate.seed", 20_261_128);
   private static final Vec3 UP = new Vec3(0, 0, 1);
 
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
-  }
-
   private static Pose turned(double radians) {
     Pose pose = new Pose();
     pose.rotation.setRotationVector(new Vec3(radians, 0, 0));
@@ -68,10 +62,10 @@ class StatisticsTest {
   @Test
   void theForcePointsFromTheDeviceToTheTool() {
     ForceMeter meter = new ForceMeter(10);
-    meter.count(at(0, 0, 2), at(0, 0, 0), UP);
+    meter.count(Pose.at(0, 0, 2), Pose.at(0, 0, 0), UP);
     assertEquals(0, meter.rmsDegrees(), 1e-12);
     ForceMeter other = new ForceMeter(10);
-    other.count(at(0, 0, 0), at(0, 0, 2), UP);
+    other.count(Pose.at(0, 0, 0), Pose.at(0, 0, 2), UP);
     assertEquals(180, other.rmsDegrees(), 1e-9);
   }
 
@@ -79,7 +73,7 @@ class StatisticsTest {
   void aToolThatStaysOnASurfaceChangesItsForceAsMuchAsTheDeviceMovesInwards() {
     ForceMeter meter = new ForceMeter(10);
     for (int frame = 0; frame <= 50; frame++) {
-      meter.count(at(0.3 * frame, 0, 0), at(0.3 * frame, 0, -0.4 * frame), UP);
+      meter.count(Pose.at(0.3 * frame, 0, 0), Pose.at(0.3 * frame, 0, -0.4 * frame), UP);
     }
     assertEquals(0.4 / 0.5, meter.forceChangeP99(), 1e-9);
     assertEquals(0, meter.torqueChangeP99(), 1e-9);
@@ -100,9 +94,9 @@ class StatisticsTest {
     ForceMeter meter = new ForceMeter(10);
     ForceMeter often = new ForceMeter(10);
     for (int frame = 0; frame <= 1_000; frame++) {
-      Pose device = at(0, 0, 0.1 * frame);
-      meter.count(at(0, frame == 500 ? 7 : 0, 0.1 * frame + 1), device, UP);
-      often.count(at(0, frame % 100 == 50 ? 7 : 0, 0.1 * frame + 1), device, UP);
+      Pose device = Pose.at(0, 0, 0.1 * frame);
+      meter.count(Pose.at(0, frame == 500 ? 7 : 0, 0.1 * frame + 1), device, UP);
+      often.count(Pose.at(0, frame % 100 == 50 ? 7 : 0, 0.1 * frame + 1), device, UP);
     }
     assertEquals(0, meter.forceChangeP99(), 1e-9);
     assertEquals(70, often.forceChangeP99(), 1e-6);

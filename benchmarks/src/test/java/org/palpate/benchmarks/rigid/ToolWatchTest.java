@@ -18,12 +18,6 @@ class ToolWatchTest {
   private final RigidTool point = ToolSampler.point();
   private final ToolWatch watch = new ToolWatch(SEED);
 
-  private static Pose at(double x, double y, double z) {
-    Pose pose = new Pose();
-    pose.translation.set(x, y, z);
-    return pose;
-  }
-
   /** Returns a cube of solids around an empty voxel, from which a tunnel leads out along x. */
   private static BodyScene cavity(boolean hasTunnel) {
     BitCube bits = new BitCube(7, 7, 7);
@@ -39,7 +33,7 @@ class ToolWatchTest {
   /** Returns a run whose tool was placed and has not moved. */
   private ToolRun placed(BodyScene scene) {
     ToolRun run = new ToolRun(scene, point, ToolClearance.POINTS);
-    run.start(at(3.5, 3.5, 3.5));
+    run.start(Pose.at(3.5, 3.5, 3.5));
     return run;
   }
 
@@ -67,7 +61,7 @@ class ToolWatchTest {
 
   @Test
   void aToolInAClosedCavityIsStuckWithoutAWayOut() {
-    watchAtRest(cavity(false), at(5.5, 3.5, 3.5), 10);
+    watchAtRest(cavity(false), Pose.at(5.5, 3.5, 3.5), 10);
     assertEquals(100, figure("stuck frames"));
     assertEquals(2, figure("stuck frames searched"), "one in five is searched");
     assertEquals(0, figure("searched frames with a way out"));
@@ -76,21 +70,21 @@ class ToolWatchTest {
   @Test
   void aToolAtAnOpenTunnelHasAWayOut() {
     BodyScene scene = cavity(true);
-    watch(scene, placed(scene), at(5.5, 3.5, 3.5), 6);
+    watch(scene, placed(scene), Pose.at(5.5, 3.5, 3.5), 6);
     assertEquals(2, figure("stuck frames searched"));
     assertEquals(100, figure("searched frames with a way out"));
   }
 
   @Test
   void aTunnelThatLeadsAwayFromTheDeviceIsNoWayOut() {
-    watchAtRest(cavity(true), at(2, 3.5, 3.5), 5);
+    watchAtRest(cavity(true), Pose.at(2, 3.5, 3.5), 5);
     assertEquals(1, figure("stuck frames searched"));
     assertEquals(0, figure("searched frames with a way out"));
   }
 
   @Test
   void aToolNearTheDeviceIsNotStuck() {
-    watchAtRest(cavity(false), at(4.3, 3.5, 3.5), 10);
+    watchAtRest(cavity(false), Pose.at(4.3, 3.5, 3.5), 10);
     assertEquals(0, figure("stuck frames"));
     assertEquals(0, figure("stuck frames searched"));
   }
@@ -100,7 +94,7 @@ class ToolWatchTest {
     BodyScene scene = SurfaceScene.scene(new BitCube(7, 7, 7));
     KeepOut keepOut = new KeepOut(scene, point, Clearance.POINTS);
     ToolRun run = placed(scene);
-    Pose far = at(30, 3.5, 3.5);
+    Pose far = Pose.at(30, 3.5, 3.5);
     run.follow(far);
     assertTrue(run.motion.steps() > 0 && run.behindMm(far) > 0.5, "it is still on its way");
     watch.watch(run, keepOut, far);
@@ -110,10 +104,10 @@ class ToolWatchTest {
   @Test
   void theLongestWayToRestCounts() {
     ToolRun run = placed(SurfaceScene.scene(new BitCube(7, 7, 7)));
-    watch.rest(run, at(30, 3.5, 3.5));
+    watch.rest(run, Pose.at(30, 3.5, 3.5));
     double most = figure("frames to rest, most");
     assertTrue(most >= 26.5 / ToolClearance.MAX_STEP_MM, "frames " + most);
-    watch.rest(run, at(30, 3.5, 3.5));
+    watch.rest(run, Pose.at(30, 3.5, 3.5));
     assertEquals(most, figure("frames to rest, most"), "it rests already");
   }
 }
