@@ -35,9 +35,6 @@ public final class EmptyCubes {
   /** The largest half edge that is found, voxels. */
   static final int LARGEST_HALF_EDGE = 4;
 
-  /** Coordinates beyond this have no window. */
-  private static final double LARGEST = 1 << 30;
-
   /** The 2x2x2 voxels in the middle of a window. */
   private static final long MIDDLE = 0x0000_0660_0660_0000L;
 
@@ -80,7 +77,7 @@ public final class EmptyCubes {
    * 0.5 to {@link #LARGEST_HALF_EDGE}.
    */
   public double around(double x, double y, double z) {
-    if (!isNear(x) || !isNear(y) || !isNear(z)) {
+    if (!BitCube.hasWindow(x) || !BitCube.hasWindow(y) || !BitCube.hasWindow(z)) {
       return 0;
     }
     int i = nearest(x);
@@ -124,10 +121,6 @@ public final class EmptyCubes {
     int half = halfEdge(bits, i, j, k);
     table[word] |= (half + 1L) << shift;
     return half;
-  }
-
-  private static boolean isNear(double v) {
-    return Math.abs(v) < LARGEST;
   }
 
   /**

@@ -12,9 +12,6 @@ public final class EmptyBox {
   };
   private static final long[] LAYERS = {0, 0xFFFFL, 0xFFFF_FFFFL, 0xFFFF_FFFF_FFFFL, -1};
 
-  /** Coordinates beyond this have no window. */
-  private static final double LARGEST = 1 << 30;
-
   private EmptyBox() {}
 
   /** Whether the bounding box of a segment is short and touches no closed solid voxel. */
@@ -36,7 +33,7 @@ public final class EmptyBox {
   }
 
   private static boolean isNear(double x, double y, double z) {
-    return Math.abs(x) < LARGEST && Math.abs(y) < LARGEST && Math.abs(z) < LARGEST;
+    return BitCube.hasWindow(x) && BitCube.hasWindow(y) && BitCube.hasWindow(z);
   }
 
   private static int lowest(double a, double b) {

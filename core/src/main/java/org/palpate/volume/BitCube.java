@@ -202,6 +202,11 @@ public class BitCube {
     return isBrick(brickX, brickY, brickZ) ? bricks[brickIndex(brickX, brickY, brickZ)] : 0;
   }
 
+  /** Whether the voxels around a grid coordinate have int numbers that {@link #window} takes. */
+  public static boolean hasWindow(double coordinate) {
+    return Math.abs(coordinate) < MAX_SIZE;
+  }
+
   /**
    * Returns the 4x4x4 voxels whose lowest is (i,j,k), across bricks, in the bit order of a brick.
    * Voxels outside the cube are empty. Cost: eight loads and no mispredicted branch.
