@@ -20,7 +20,7 @@ class SettlingDeviceTest {
       new HapticDevice() {
         @Override
         public DeviceSpecification specification() {
-          throw new UnsupportedOperationException();
+          throw new UnsupportedOperationException("no test asks for a specification");
         }
 
         @Override
