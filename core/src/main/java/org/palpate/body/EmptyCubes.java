@@ -3,11 +3,11 @@ package org.palpate.body;
 import org.palpate.volume.BitCube;
 
 /**
- * Finds empty cubes around points of a bit cube, and remembers them. A cube around a point follows
- * from the empty cube around the grid corner nearest to it, and that is found by windows once. Many
- * points of a tool share a corner, and a tool that slides returns to corners that it has met.
+ * Finds empty cubes around points of a bit cube. The cube around a point follows from that around
+ * the nearest grid corner, which is found by windows once and then cached. Many points of a tool
+ * share a corner, and a tool that slides returns to corners that it has met.
  *
- * <p>The memory is a table of bricks of 4x4x4 corners. Bricks may share a place, which the last one
+ * <p>The cache is a table of bricks of 4x4x4 corners. Bricks may share a place, which the last one
  * keeps. After an edit, {@link #forget} must be called. Haptic thread only; allocates nothing after
  * construction.
  */
@@ -38,7 +38,7 @@ public final class EmptyCubes {
   /** The 2x2x2 voxels in the middle of a window. */
   private static final long MIDDLE = 0x0000_0660_0660_0000L;
 
-  /** All voxels of a window but those of the last column, row or layer. */
+  /** All voxels of a window but those of its last column; below, of its last row and layer. */
   private static final long FIRST_COLUMNS = 0x7777_7777_7777_7777L;
 
   private static final long FIRST_ROWS = 0x0FFF_0FFF_0FFF_0FFFL;
@@ -54,7 +54,7 @@ public final class EmptyCubes {
   /** 1 more than the number of times that all was forgotten; part of a brick's number. */
   private long age = 1;
 
-  /** Creates a memory for a cube that the caller keeps. */
+  /** Creates an empty cache for a bit cube that the caller keeps. */
   public EmptyCubes(BitCube bits) {
     this.bits = bits;
     bricksX = bits.bricksX();

@@ -4,9 +4,10 @@ import java.util.Arrays;
 import org.palpate.geometry.WorldBox;
 
 /**
- * A bounding-volume tree over boxes that move. Finds the boxes that a query box meets. Nodes that
- * the query does not meet are left out with all that they contain. The tree is not balanced: in the
- * worst case, the time for a query or a motion grows with the number of boxes.
+ * A bounding-volume tree over boxes that move; {@link BoundingVolumeTree} is for boxes that do not.
+ * Finds the boxes that a query box meets. Nodes that the query does not meet are left out with all
+ * that they contain. The tree is not balanced: in the worst case, the time for a query or a motion
+ * grows with the number of boxes.
  *
  * <p>The tree holds each box with some slack around it. A box that moves within its slack leaves
  * the tree as it is. One that leaves it is taken out and inserted where it enlarges the other nodes
@@ -73,7 +74,11 @@ public final class MovingBoundsTree {
     }
   }
 
-  /** Finds the items whose boxes meet a box, and sets their bits; bit n of word m is 64 m + n. */
+  /**
+   * Finds the items whose boxes meet a box.
+   *
+   * @param found the bit of each item that is found is set: item 64 m + n has bit n of word m
+   */
   public void find(WorldBox query, long[] found) {
     int top = 0;
     if (root != NONE) {

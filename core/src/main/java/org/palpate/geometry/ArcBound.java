@@ -77,7 +77,7 @@ public final class ArcBound {
   public static double sweptRadiusMm(
       double radiusMm, double shiftMm, Quaternion from, Quaternion to) {
     double cosine = Math.abs(from.dot(to));
-    // The square of an arc cosine c is at most pi^2/4 (1 - c).
+    // The turn is twice the arc cosine of c, whose square is at most pi^2/4 (1 - c).
     double square = Math.PI * Math.PI * Math.max(0, 1 - cosine) + SQUARE_ERROR;
     if (square > 1) {
       return Double.POSITIVE_INFINITY;

@@ -54,8 +54,10 @@ final class ContactConstraints {
   private static final double[] RAISES_EDGES = {.02, .08, .2, .4, .7, 1.1};
 
   /**
-   * From so many raises on, a contact whose rise is reduced is not raised again. After fewer raises
-   * the step of height to the voxel's face would be felt: a burr vibrates while it cuts.
+   * A contact that was raised at least so often is not raised again once its rise is reduced. With
+   * a larger number the raises use up the proposals of a step, and a peg can stand on the rim of
+   * its hole for good. With a smaller one the step to the voxel's face is felt: a burr vibrates
+   * while it cuts. Both were tried; see docs/results/rigid.md.
    */
   private static final int RAISES_BEFORE_FACE = 4;
 

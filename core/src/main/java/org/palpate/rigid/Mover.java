@@ -16,6 +16,9 @@ import org.palpate.volume.VoxelGrid;
  * point; see {@link ReferencePose}. Haptic thread only.
  */
 final class Mover {
+  /** More than the norm of the inverse of axes that are orthonormal up to the tolerance. */
+  private static final double INVERSE_NORM = 1.01;
+
   /** The sample points; null for a body that stands still. */
   final RigidTool shape;
 
@@ -37,7 +40,7 @@ final class Mover {
   /** The error of the place of a voxel in the world, mm; see {@link #distortionMm(int)}. */
   private final double distortionMm;
 
-  /** The number of pairs in which this carries the points and may enclose a solid. */
+  /** The number of pairs in which this has the points and whose {@link EnclosureCheck} goes on. */
   int pendingChecks;
 
   private final ReferencePose reference;
@@ -111,7 +114,7 @@ final class Mover {
             (grid.sizeX() + 1 + beyond) * spacing.x,
             (grid.sizeY() + 1 + beyond) * spacing.y,
             (grid.sizeZ() + 1 + beyond) * spacing.z);
-    return 1.01 * grid.gridMmToWorld().distortion() * far.length();
+    return INVERSE_NORM * grid.gridMmToWorld().distortion() * far.length();
   }
 
   /** Returns what {@link #reachMm} leaves out, mm: the edges of a grown cell, and distortion. */

@@ -18,12 +18,12 @@ import org.palpate.geometry.WorldBox;
  * query alone. Haptic thread only; allocates nothing after its creation.
  */
 final class MoverBroadPhase {
-  /** Grows each box against rounding, mm, and as a part of its coordinates. */
+  /** The margin of each box against rounding, mm; a part of its coordinates is added. */
   private static final double MARGIN_MM = 1e-5;
 
   private static final double MARGIN_PART = 1e-12;
 
-  /** The distance that a mover travels in the tree before it is inserted anew, shortest edges. */
+  /** The slack of the tree, shortest edges: a mover that travels less is not inserted anew. */
   private static final double SLACK_EDGES = 8;
 
   private final Mover[] movers;

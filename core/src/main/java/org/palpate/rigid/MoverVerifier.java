@@ -404,8 +404,8 @@ final class MoverVerifier {
   }
 
   /**
-   * Whether no leg of a pair touches a solid. A pair that is not found is verified too if nothing
-   * is skipped. Its work does not count, and its arcs are known to be free.
+   * Whether no leg of a pair touches a solid. Without skips a pair that is not found is verified
+   * too. Its work does not count, as with skips, and its arcs are known to be free.
    */
   private boolean isFree(int number, ArcBound arcs, boolean firstOnly, LegHits hits) {
     BodyVerifier pair = pair(number);

@@ -110,7 +110,7 @@ class ToolJudgesTest {
     return pose;
   }
 
-  /** A point of the box in the voxel proves an overlap; a plane between their corners denies it. */
+  /** A common point proves an overlap; a box that overlaps has one if it is a little larger. */
   @Test
   void aBoxOverlapsTheVoxelExactlyIfTheyShareAPoint() {
     SplittableRandom random = new SplittableRandom(Seeds.seed());

@@ -28,7 +28,7 @@ final class PenaltyPeer implements PeerTool {
 
   private static final double MM_PER_M = 1_000;
 
-  /** The layer of a solid voxel that is not known yet; more than 126 layers have none either. */
+  /** Stands for a layer that is not known yet, and in the end for all below layer 126. */
   private static final byte UNKNOWN = Byte.MAX_VALUE;
 
   private final RigidTool tool;

@@ -1,9 +1,9 @@
 package org.palpate.volume.phantom;
 
 /**
- * Sorts the shapes of a phantom by a ball: "active" shapes, whose surface may pass through the
- * ball, and shapes that contain the whole ball or none of it. It is narrowed from rows to bricks to
- * voxels, so that a voxel evaluates the few active shapes alone. Owned scratch.
+ * Sorts the shapes of a phantom by a ball. The surface of an active shape may pass through the
+ * ball; any other shape contains the whole ball or none of it. The ball is narrowed from rows to
+ * bricks to voxels, so that a voxel evaluates the few active shapes alone. Owned scratch.
  */
 final class ActiveShapes {
   /** More than the rounding of a shape's value; all sizes are below 1e4 voxels. */
