@@ -1,4 +1,5 @@
 /**
- * Helpers that the tests of several modules share: seeds, hostile input, exact oracles, a floor.
+ * Helpers that the tests of several modules share: seeds, scans, hostile input, exact oracles, a
+ * floor.
  */
 package org.palpate.testing;

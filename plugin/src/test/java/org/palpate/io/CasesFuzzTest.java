@@ -17,8 +17,8 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.testing.Scans;
 
 /**
  * Damages each of the unusual files of {@code cases}: bytes are flipped and the end is cut off. A
@@ -38,7 +38,7 @@ class CasesFuzzTest {
 
   @TestFactory
   Stream<DynamicTest> aDamagedFileIsReadOrRefusedInOneLine() throws IOException {
-    Path cases = TestData.file("cases");
+    Path cases = Scans.file("cases");
     String asked = System.getProperty("palpate.seed", "");
     long seed = asked.matches("-?[0-9]+") ? Long.parseLong(asked) : System.nanoTime();
     System.out.println("CasesFuzzTest seed " + seed);

@@ -15,9 +15,9 @@ import org.palpate.geometry.Vec3;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelCrc;
+import org.palpate.testing.Scans;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.phantom.Phantom;
 
@@ -28,25 +28,24 @@ class ImagejExchangeTest {
   @Test
   void aHeadGoesThroughImagejAndComesBackEqual() throws Exception {
     VolumeReader head =
-        VolumeFiles.open(TestData.file("CThead/CThead_u16gz.nrrd"), ReadOptions.defaults());
+        VolumeFiles.open(Scans.file("CThead/CThead_u16gz.nrrd"), ReadOptions.defaults());
     requireRoundTrip(head, ImagePlus.GRAY16);
   }
 
   @Test
   void signedValuesAndOddSpacingsComeBackEqual() throws Exception {
     VolumeReader chest =
-        VolumeFiles.open(TestData.file("LIDC/dicom_10slices"), ReadOptions.defaults());
+        VolumeFiles.open(Scans.file("LIDC/dicom_10slices"), ReadOptions.defaults());
     requireRoundTrip(chest, ImagePlus.GRAY16);
     VolumeReader body =
-        VolumeFiles.open(TestData.file("formats/nifti/anatomical.nii"), ReadOptions.defaults());
+        VolumeFiles.open(Scans.file("formats/nifti/anatomical.nii"), ReadOptions.defaults());
     requireRoundTrip(body, ImagePlus.GRAY16);
   }
 
   @Test
   void floatsComeBackEqual() throws Exception {
     VolumeReader floats =
-        VolumeFiles.open(
-            TestData.file("cases/tiff/float_pred3_deflate.tif"), ReadOptions.defaults());
+        VolumeFiles.open(Scans.file("cases/tiff/float_pred3_deflate.tif"), ReadOptions.defaults());
     requireRoundTrip(floats, ImagePlus.GRAY32);
   }
 

@@ -10,10 +10,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelCrc;
+import org.palpate.testing.Scans;
 
 /**
  * Values and positions agree with the formats' own readers: nibabel 5.4.2, pynrrd 1.1.3 and
@@ -151,6 +151,6 @@ class ReferenceReadersTest {
   private static VolumeReader open(String name, OptionalInt time) throws VolumeFormatException {
     ReadOptions options = ReadOptions.defaults();
     return VolumeFiles.open(
-        TestData.file(name), time.isPresent() ? options.withTimeStep(time.getAsInt()) : options);
+        Scans.file(name), time.isPresent() ? options.withTimeStep(time.getAsInt()) : options);
   }
 }

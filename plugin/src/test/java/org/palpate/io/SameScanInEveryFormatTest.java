@@ -26,10 +26,10 @@ import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.RawLayout;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelCrc;
+import org.palpate.testing.Scans;
 
 /** Checks that one scan gives the same voxels and spacing in every format. */
 class SameScanInEveryFormatTest {
@@ -47,7 +47,7 @@ class SameScanInEveryFormatTest {
 
   @BeforeAll
   static void readTheScan() throws Exception {
-    scan = VolumeFiles.open(TestData.file("CThead/CThead_u16gz.nrrd"), ReadOptions.defaults());
+    scan = VolumeFiles.open(Scans.file("CThead/CThead_u16gz.nrrd"), ReadOptions.defaults());
     samples = new byte[SLICES * SLICE_BYTES];
     ByteBuffer bytes = ByteBuffer.wrap(samples).order(ByteOrder.LITTLE_ENDIAN);
     scan.read(

@@ -16,8 +16,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.io.dicom.DicomSliceWriter;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.testing.Scans;
 import org.palpate.volume.phantom.Phantom;
 
 /** Checks that a file whose header promises more than it has is to be copied again. */
@@ -63,7 +63,7 @@ class TruncatedFileTest {
 
   @Test
   void anImagejStackNamesBothNumbersOfSlices() {
-    String message = refusal(TestData.file("cases/tiff/ij_images_lie.tif"));
+    String message = refusal(Scans.file("cases/tiff/ij_images_lie.tif"));
     assertTrue(
         message.contains("promises 50 slices but the file has room for at most 7:"), message);
   }

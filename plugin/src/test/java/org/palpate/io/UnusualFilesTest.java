@@ -13,10 +13,10 @@ import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelSlice;
+import org.palpate.testing.Scans;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 
@@ -229,6 +229,6 @@ class UnusualFilesTest {
   }
 
   private static VolumeReader open(String name, ReadOptions options) throws VolumeFormatException {
-    return VolumeFiles.open(TestData.file("cases/" + name), options);
+    return VolumeFiles.open(Scans.file("cases/" + name), options);
   }
 }

@@ -21,12 +21,12 @@ import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.io.volume.SliceSink;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelCrc;
 import org.palpate.io.volume.VoxelSlice;
+import org.palpate.testing.Scans;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
@@ -57,7 +57,7 @@ class VolumeWriterTest {
         "LIDC/dicom_10slices"
       })
   void aScanReadsBackEqualAndInTheSamePosition(String name) throws Exception {
-    VolumeReader scan = VolumeFiles.open(TestData.file(name), time(name));
+    VolumeReader scan = VolumeFiles.open(Scans.file(name), time(name));
     for (String target : List.of("scan.nrrd", "scan.nii.gz")) {
       VolumeReader read = writtenAndOpened(scan, target);
       assertEquals(VoxelCrc.of(scan), VoxelCrc.of(read), target);
@@ -76,7 +76,7 @@ class VolumeWriterTest {
   @Test
   void aNiftiOfTheFirstVersionIsWrittenIfItsPrecisionIsEnough() throws Exception {
     VolumeReader scan =
-        VolumeFiles.open(TestData.file("formats/dicom/CT_small.dcm"), ReadOptions.defaults());
+        VolumeFiles.open(Scans.file("formats/dicom/CT_small.dcm"), ReadOptions.defaults());
     assertEquals("NIfTI-1, gzip", VolumeWriter.write(scan, folder.resolve("a.nii.gz")));
     assertEquals(
         "NIfTI-1",

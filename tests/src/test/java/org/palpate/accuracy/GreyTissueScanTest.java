@@ -3,10 +3,8 @@ package org.palpate.accuracy;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.collision.CollisionScene;
@@ -29,6 +27,7 @@ import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
+import org.palpate.testing.Scans;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.SegmentedVolume;
@@ -57,7 +56,7 @@ class GreyTissueScanTest {
   })
   void noStepOfTheForceExceedsTheStiffnessTimesTheMotion(
       String file, double threshold, double soft, double hard) throws IOException {
-    Path path = data(file);
+    Path path = Scans.file(file);
     SegmentedVolume volume =
         SegmentBuilder.read(
             VolumeFiles.open(path, ReadOptions.defaults()),
@@ -146,12 +145,5 @@ class GreyTissueScanTest {
     public String toString() {
       return "step " + largest + ", soft frames " + softFrames + ", hard frames " + hardFrames;
     }
-  }
-
-  private static Path data(String name) {
-    Path file = Path.of(System.getProperty("palpate.data", "../shared/data"), name);
-    Assumptions.assumeTrue(
-        Files.exists(file), () -> "skipped: there is no " + file + " (-Dpalpate.data=DIR)");
-    return file;
   }
 }

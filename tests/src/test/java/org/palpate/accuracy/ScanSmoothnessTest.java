@@ -3,11 +3,9 @@ package org.palpate.accuracy;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.geometry.GridMetric;
@@ -20,6 +18,7 @@ import org.palpate.io.volume.ReadOptions;
 import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
+import org.palpate.testing.Scans;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.SegmentedVolume;
 
@@ -37,7 +36,7 @@ class ScanSmoothnessTest {
   })
   void aSlideOnBoneIsSmoothAndAlikeInBothDirections(String file, double threshold, double depthMm)
       throws IOException {
-    Path path = data(file);
+    Path path = Scans.file(file);
     SegmentedVolume volume =
         SegmentBuilder.read(
             VolumeFiles.open(path, ReadOptions.defaults()),
@@ -84,12 +83,5 @@ class ScanSmoothnessTest {
         smoothness.stuckMm(),
         100 * smoothness.asymmetry(),
         100 * smoothness.contactFraction());
-  }
-
-  private static Path data(String name) {
-    Path file = Path.of(System.getProperty("palpate.data", "../shared/data"), name);
-    Assumptions.assumeTrue(
-        Files.exists(file), () -> "skipped: there is no " + file + " (-Dpalpate.data=DIR)");
-    return file;
   }
 }

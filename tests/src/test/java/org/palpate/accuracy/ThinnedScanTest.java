@@ -3,13 +3,10 @@ package org.palpate.accuracy;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.SplittableRandom;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.benchmarks.accuracy.AccuracyMeter;
@@ -25,6 +22,7 @@ import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.proxy.smooth.field.FieldSample;
 import org.palpate.proxy.smooth.field.OccupancyField;
 import org.palpate.proxy.smooth.field.SeedCell;
+import org.palpate.testing.Scans;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.SegmentedVolume;
 
@@ -56,7 +54,7 @@ class ThinnedScanTest {
       throws IOException {
     SegmentedVolume volume =
         SegmentBuilder.read(
-            VolumeFiles.open(data(file), ReadOptions.defaults()),
+            VolumeFiles.open(Scans.file(file), ReadOptions.defaults()),
             List.of(SegmentSpec.parse("bone=" + segment)));
     Thinned thinned =
         new Thinned(volume.segments().get(0).bits(), volume.grid().spacingMm(), every);
@@ -77,13 +75,6 @@ class ThinnedScanTest {
 
   private static double at(double[] sorted, double fraction) {
     return sorted[(int) (fraction * (sorted.length - 1))];
-  }
-
-  private static Path data(String name) {
-    Path file = Path.of(System.getProperty("palpate.data", "../shared/data"), name);
-    Assumptions.assumeTrue(
-        Files.exists(file), () -> "skipped: there is no " + file + " (-Dpalpate.data=DIR)");
-    return file;
   }
 
   /** A scan with all slices, and the same with some of them. */

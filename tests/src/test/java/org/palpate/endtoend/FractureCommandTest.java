@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.palpate.testing.Scans;
 
 class FractureCommandTest {
   @TempDir private Path folder;
@@ -48,7 +49,7 @@ class FractureCommandTest {
 
   @Test
   void theJawOfAScanIsCut() throws IOException {
-    Path labels = TestFiles.scan("labels/HN-Atlas-labels.nrrd");
+    Path labels = Scans.file("labels/HN-Atlas-labels.nrrd");
     Path parts = folder.resolve("parts.nii.gz");
     String out =
         CommandRun.of(

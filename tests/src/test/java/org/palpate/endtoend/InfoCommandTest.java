@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.palpate.testing.Scans;
 
 class InfoCommandTest {
   @TempDir private Path folder;
@@ -35,8 +36,7 @@ class InfoCommandTest {
       })
   void countsTheVoxelsOfRealScans(String file, String segment, String voxels) throws IOException {
     Path report = folder.resolve("r.json");
-    CommandRun.of(
-            "info", "--volume", TestFiles.scan(file), "--segment", segment, "--report", report)
+    CommandRun.of("info", "--volume", Scans.file(file), "--segment", segment, "--report", report)
         .mustSucceed();
     assertEquals(voxels, FlatJson.read(report).get("/segments/0/voxels"));
   }
@@ -47,7 +47,7 @@ class InfoCommandTest {
         CommandRun.of(
                 "info",
                 "--volume",
-                TestFiles.scan("CThead/CThead_u16gz.nrrd"),
+                Scans.file("CThead/CThead_u16gz.nrrd"),
                 "--segment",
                 "bone=>=1500")
             .mustSucceed();
@@ -57,7 +57,7 @@ class InfoCommandTest {
   @Test
   void neverRefusesAVolumeWithoutASegment() {
     CommandRun run =
-        CommandRun.of("info", "--volume", TestFiles.scan("CThead/CThead_u16gz.nrrd")).mustSucceed();
+        CommandRun.of("info", "--volume", Scans.file("CThead/CThead_u16gz.nrrd")).mustSucceed();
     assertTrue(run.out().contains("--segment"), run.out());
   }
 
@@ -138,7 +138,7 @@ class InfoCommandTest {
 
   @Test
   void refusesEveryMalformedSampleInOneLine() throws IOException {
-    Path malformed = TestFiles.scan("formats/malformed");
+    Path malformed = Scans.file("formats/malformed");
     try (var files = Files.list(malformed)) {
       files
           .filter(Files::isRegularFile)

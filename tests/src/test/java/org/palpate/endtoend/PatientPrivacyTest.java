@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.palpate.testing.Scans;
 
 /** Checks that what names a patient in a DICOM header reaches no output of a command. */
 class PatientPrivacyTest {
@@ -38,8 +39,8 @@ class PatientPrivacyTest {
   })
   void noCommandPassesItOn(String name, String segment, String secrets) throws IOException {
     Pattern secret = Pattern.compile(secrets);
-    assertTrue(secret.matcher(content(TestFiles.scan(name))).find(), "the file has no secret");
-    List<Object> volume = new ArrayList<>(List.of("--volume", TestFiles.scan(name)));
+    assertTrue(secret.matcher(content(Scans.file(name))).find(), "the file has no secret");
+    List<Object> volume = new ArrayList<>(List.of("--volume", Scans.file(name)));
     if (name.endsWith("time_series")) {
       require(secret, run(2, List.of("info", "--debug"), volume));
       volume.addAll(List.of("--time", "1"));
@@ -71,7 +72,7 @@ class PatientPrivacyTest {
 
   @Test
   void theNamesOfSegmentsAreKept() throws IOException {
-    Path file = TestFiles.scan("cases/dicom/seg_binary.dcm");
+    Path file = Scans.file("cases/dicom/seg_binary.dcm");
     Path export = folder.resolve("a.dcm");
     run(0, List.of("info"), List.of("--volume", file), "--export", export);
     assertTrue(content(export).contains("lung"));

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.testing.Scans;
 
 /** Tests every option that controls how a volume is read, and the files that are exported. */
 class ReadingOptionsTest {
@@ -24,7 +25,7 @@ class ReadingOptionsTest {
   @CsvSource({"0, 5538.065757632256", "1, 5466.730765342712"})
   void timeChoosesAStep(int step, String highest) throws IOException {
     // nibabel: numpy.asanyarray(image.dataobj)[..., step].max()
-    Path volume = TestFiles.scan("formats/nifti/functional.nii");
+    Path volume = Scans.file("formats/nifti/functional.nii");
     Path report = folder.resolve("r.json");
     CommandRun run =
         CommandRun.of("info", "--volume", volume, "--time", step, "--report", report).mustSucceed();
@@ -34,7 +35,7 @@ class ReadingOptionsTest {
 
   @Test
   void aFileOfSeveralStepsNeedsAChoiceAndAFileOfOneStepRefusesOthers() throws IOException {
-    Path many = TestFiles.scan("formats/nifti/functional.nii");
+    Path many = Scans.file("formats/nifti/functional.nii");
     assertTrue(
         CommandRun.of("info", "--volume", many)
             .mustRefuse()
@@ -53,7 +54,7 @@ class ReadingOptionsTest {
 
   @Test
   void seriesChoosesOneSeriesOfAFolder() throws IOException {
-    Path files = TestFiles.scan("formats/dicom");
+    Path files = Scans.file("formats/dicom");
     for (String name : new String[] {"CT_small.dcm", "MR_small.dcm"}) {
       Files.copy(files.resolve(name), folder.resolve(name));
     }
@@ -75,7 +76,7 @@ class ReadingOptionsTest {
 
   @Test
   void resampleInterpolatesTheMissingSliceAndReportsIt() throws IOException {
-    Path all = TestFiles.scan("LIDC/dicom_10slices");
+    Path all = Scans.file("LIDC/dicom_10slices");
     try (Stream<Path> files = Files.list(all).sorted()) {
       for (Path file : files.toList()) {
         Files.copy(file, folder.resolve(file.getFileName()));
@@ -99,7 +100,7 @@ class ReadingOptionsTest {
     CommandRun.of(
             "info",
             "--volume",
-            TestFiles.scan("small/headsq"),
+            Scans.file("small/headsq"),
             "--raw",
             "64x64x93:u16le:3.2,3.2,1.5",
             "--segment",
@@ -119,7 +120,7 @@ class ReadingOptionsTest {
     CommandRun.of(
             "info",
             "--volume",
-            TestFiles.scan("totalseg/example_ct.nii.gz"),
+            Scans.file("totalseg/example_ct.nii.gz"),
             "--segment",
             "bone=>=200",
             "--export",
@@ -161,7 +162,7 @@ class ReadingOptionsTest {
   @Test
   void reportsTheOrientationOfTheSlicesInThePatient() {
     String out =
-        CommandRun.of("info", "--volume", TestFiles.scan("labels/HN-Atlas-labels.nrrd"))
+        CommandRun.of("info", "--volume", Scans.file("labels/HN-Atlas-labels.nrrd"))
             .mustSucceed()
             .out();
     assertTrue(out.contains("axial slices, 1.4 mm apart, running to the patient's head"), out);

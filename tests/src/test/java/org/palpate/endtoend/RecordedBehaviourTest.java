@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.palpate.testing.Scans;
 
 /**
  * Compares what the commands write with recorded checksums, see {@link RecordedBehaviour}.
@@ -27,7 +28,7 @@ class RecordedBehaviourTest {
 
   @Test
   void scansGiveTheRecordedBytes() throws IOException {
-    Path head = TestFiles.scan("CThead/CThead_u16gz.nrrd");
+    Path head = Scans.file("CThead/CThead_u16gz.nrrd");
     Path data = head.getParent().getParent();
     compare("scans.sha256", RecordedBehaviour.ofScans(folder, data));
   }

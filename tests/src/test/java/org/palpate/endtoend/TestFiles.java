@@ -7,22 +7,13 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.ToIntFunction;
-import org.junit.jupiter.api.Assumptions;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.RandomGeometry;
 
-/** Makes small test files, and finds real scans. */
+/** Makes small test files. */
 final class TestFiles {
   private TestFiles() {}
-
-  /** Returns a file of the folder of real scans, or skips the test if it does not exist. */
-  static Path scan(String name) {
-    Path file = Path.of(System.getProperty("palpate.data", "../shared/data"), name);
-    Assumptions.assumeTrue(
-        Files.exists(file), () -> "skipped: there is no " + file + " (-Dpalpate.data=DIR)");
-    return file;
-  }
 
   /** Writes an NRRD file of bytes, x fastest, spacing 1, 1, 2. */
   static Path nrrd(Path file, int edge, ToIntFunction<int[]> value) throws IOException {

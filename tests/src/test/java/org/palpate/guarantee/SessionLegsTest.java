@@ -4,12 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.host.SolverKind;
@@ -19,6 +16,7 @@ import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.ReadOptions;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
+import org.palpate.testing.Scans;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.phantom.Phantom;
@@ -64,7 +62,8 @@ class SessionLegsTest {
     SegmentedVolume volume = scan(file, "bone=>=" + threshold);
     GreyIsosurface grey =
         GreyIsosurface.ofThreshold(
-            GreyVolumes.read(VolumeFiles.open(data(file), ReadOptions.defaults())), threshold);
+            GreyVolumes.read(VolumeFiles.open(Scans.file(file), ReadOptions.defaults())),
+            threshold);
     assertKept(
         file,
         SolverKind.SMOOTH,
@@ -119,13 +118,7 @@ class SessionLegsTest {
 
   private static SegmentedVolume scan(String name, String segment) throws IOException {
     return SegmentBuilder.read(
-        VolumeFiles.open(data(name), ReadOptions.defaults()), List.of(SegmentSpec.parse(segment)));
-  }
-
-  private static Path data(String name) {
-    Path file = Path.of(System.getProperty("palpate.data", "../shared/data"), name);
-    Assumptions.assumeTrue(
-        Files.exists(file), () -> "skipped: there is no " + file + " (-Dpalpate.data=DIR)");
-    return file;
+        VolumeFiles.open(Scans.file(name), ReadOptions.defaults()),
+        List.of(SegmentSpec.parse(segment)));
   }
 }

@@ -14,9 +14,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelCrc;
+import org.palpate.testing.Scans;
 
 /** Checks that a volume becomes a stack of ImageJ with everything that ImageJ can hold of it. */
 class VolumeImageTest {
@@ -34,7 +34,7 @@ class VolumeImageTest {
     "totalseg/example_seg_fast_force_split.nii.gz, 0",
   })
   void noVoxelAndNoSpacingIsLostOnTheWayThroughImagej(String name, int type) throws Exception {
-    Path file = TestData.file(name);
+    Path file = Scans.file(name);
     VolumeReader volume = VolumeFiles.open(file, ReadOptions.defaults());
     ImagePlus image = VolumeImage.read(volume, file);
     assertEquals(type, image.getType());
@@ -53,7 +53,7 @@ class VolumeImageTest {
 
   @Test
   void labelsKeepTheirNamesColoursAndOrigin() throws Exception {
-    Path file = TestData.file("cases/nrrd/overlap.seg.nrrd");
+    Path file = Scans.file("cases/nrrd/overlap.seg.nrrd");
     ImagePlus image = VolumeImage.read(VolumeFiles.open(file, ReadOptions.defaults()), file);
     StackVolume stack = StackVolume.shownIn(image);
     assertEquals("bone", stack.labelTable().labels().get(1L).name());

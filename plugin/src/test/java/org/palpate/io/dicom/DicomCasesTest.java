@@ -13,9 +13,9 @@ import org.palpate.io.VolumeFiles;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
+import org.palpate.testing.Scans;
 import org.palpate.volume.BitCube;
 
 /** Reads the small unusual DICOM files of {@code cases/dicom}; its README states what is right. */
@@ -191,6 +191,6 @@ class DicomCasesTest {
   }
 
   private static VolumeReader open(String name, ReadOptions options) throws VolumeFormatException {
-    return VolumeFiles.open(TestData.file("cases/dicom/" + name), options);
+    return VolumeFiles.open(Scans.file("cases/dicom/" + name), options);
   }
 }

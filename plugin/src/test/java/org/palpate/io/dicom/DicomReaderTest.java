@@ -16,10 +16,10 @@ import org.palpate.io.VolumeFiles;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.io.volume.VoxelCrc;
+import org.palpate.testing.Scans;
 
 /**
  * Values agree with pydicom 3.0.2 (pixel_array times slope plus intercept, slices by the third
@@ -79,7 +79,7 @@ class DicomReaderTest {
     "formats/malformed/rtplan_truncated.dcm, a",
   })
   void refusesUnreadableFilesInOneLineWithARemedy(String name, String says) {
-    Path file = TestData.file(name);
+    Path file = Scans.file(name);
     VolumeFormatException refused =
         assertThrows(
             VolumeFormatException.class, () -> VolumeFiles.open(file, ReadOptions.defaults()));
@@ -90,7 +90,7 @@ class DicomReaderTest {
 
   @Test
   void aFolderOfSeveralSeriesIsListedAndOneChosen() throws Exception {
-    Path folder = TestData.file("formats/dicom");
+    Path folder = Scans.file("formats/dicom");
     VolumeFormatException refused =
         assertThrows(
             VolumeFormatException.class, () -> VolumeFiles.open(folder, ReadOptions.defaults()));
@@ -100,7 +100,7 @@ class DicomReaderTest {
   /** JJ2000 would take two bytes of 0xFF in a packet header for an endless run of ones. */
   @Test
   void refusesDamageThatWouldHangTheJpeg2000Library(@TempDir Path folder) throws Exception {
-    byte[] whole = Files.readAllBytes(TestData.file("formats/dicom/MR_small_jp2klossless.dcm"));
+    byte[] whole = Files.readAllBytes(Scans.file("formats/dicom/MR_small_jp2klossless.dcm"));
     int from = offset(whole, 0xFF93) + 2; // start of data
     int to = offset(whole, 0xFFD9) - 2; // end of the picture
     for (int at = from; at < to; at++) {
@@ -126,7 +126,7 @@ class DicomReaderTest {
 
   @Test
   void anOptionWithoutAChoiceIsRefused() {
-    Path file = TestData.file("formats/dicom/CT_small.dcm");
+    Path file = Scans.file("formats/dicom/CT_small.dcm");
     ReadOptions any = ReadOptions.defaults();
     for (ReadOptions options : List.of(any.withTimeStep(3), any.withSeries("2"))) {
       VolumeFormatException refused =
@@ -143,6 +143,6 @@ class DicomReaderTest {
   }
 
   private static VolumeReader open(String name) throws VolumeFormatException {
-    return VolumeFiles.open(TestData.file(name), ReadOptions.defaults());
+    return VolumeFiles.open(Scans.file(name), ReadOptions.defaults());
   }
 }

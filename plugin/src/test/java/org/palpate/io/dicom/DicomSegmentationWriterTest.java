@@ -30,9 +30,9 @@ import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable.Label;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
+import org.palpate.testing.Scans;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
@@ -128,7 +128,7 @@ class DicomSegmentationWriterTest {
   @ValueSource(strings = {"seg_binary.dcm", "seg_fractional.dcm", "seg_labelmap.dcm"})
   void aSegmentationThatWasReadIsWrittenWithTheSameVoxels(String name) throws Exception {
     VolumeReader given =
-        VolumeFiles.open(TestData.file("cases/dicom/" + name), ReadOptions.defaults());
+        VolumeFiles.open(Scans.file("cases/dicom/" + name), ReadOptions.defaults());
     assertEquals(voxels(given), voxels(roundTrip(given)));
   }
 
@@ -146,7 +146,7 @@ class DicomSegmentationWriterTest {
   @Test
   void nothingOfThePatientIsCopied() throws Exception {
     VolumeReader given =
-        VolumeFiles.open(TestData.file("cases/dicom/seg_binary.dcm"), ReadOptions.defaults());
+        VolumeFiles.open(Scans.file("cases/dicom/seg_binary.dcm"), ReadOptions.defaults());
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     DicomSegmentationWriter.write(given, out);
     String text = out.toString(StandardCharsets.ISO_8859_1);

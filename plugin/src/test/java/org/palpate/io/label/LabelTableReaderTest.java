@@ -12,7 +12,7 @@ import org.palpate.io.VolumeFiles;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.LabelTable.Label;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
+import org.palpate.testing.Scans;
 
 class LabelTableReaderTest {
   @TempDir Path folder;
@@ -20,13 +20,13 @@ class LabelTableReaderTest {
   @Test
   void namesTheAtlasByTheTableBesideItAndNotTheSkull() throws Exception {
     Optional<LabelTable> atlas =
-        VolumeFiles.open(TestData.file("labels/HN-Atlas-labels.nrrd"), ReadOptions.defaults())
+        VolumeFiles.open(Scans.file("labels/HN-Atlas-labels.nrrd"), ReadOptions.defaults())
             .header()
             .labels();
     // HN-colors.ctbl: 25 mandible 220 225 105 255
     assertEquals(new Label("mandible", 0xDCE169), atlas.get().labels().get(25L));
     assertTrue(
-        VolumeFiles.open(TestData.file("labels/Skull.nrrd"), ReadOptions.defaults())
+        VolumeFiles.open(Scans.file("labels/Skull.nrrd"), ReadOptions.defaults())
             .header()
             .labels()
             .isEmpty());

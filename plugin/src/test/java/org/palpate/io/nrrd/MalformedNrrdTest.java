@@ -20,9 +20,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
+import org.palpate.testing.Scans;
 
 class MalformedNrrdTest {
   private static final String GOOD =
@@ -167,7 +167,7 @@ class MalformedNrrdTest {
         "formats/malformed/BallBinary30x30x30_nifti.nhdr"
       })
   void theMalformedSamplesAreRefused(String name) {
-    Path file = TestData.file(name);
+    Path file = Scans.file(name);
     assertThrows(VolumeFormatException.class, () -> openAndRead(file));
   }
 

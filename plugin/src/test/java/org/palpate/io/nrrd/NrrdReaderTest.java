@@ -10,9 +10,9 @@ import org.palpate.io.VolumeFiles;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
+import org.palpate.testing.Scans;
 import org.palpate.volume.SegmentedVolume;
 
 class NrrdReaderTest {
@@ -37,7 +37,7 @@ class NrrdReaderTest {
   @Test
   void readsDataAtAPathThatLeavesASubFolderButNotTheFolder() throws Exception {
     VolumeReader reader =
-        VolumeFiles.open(TestData.file("cases/nrrd/detached/vol.nhdr"), ReadOptions.defaults());
+        VolumeFiles.open(Scans.file("cases/nrrd/detached/vol.nhdr"), ReadOptions.defaults());
     long[] sum = {0};
     reader.read((k, slice) -> sum[0] += Arrays.stream(slice.integers()).sum());
     assertEquals(47_880, sum[0]);
@@ -51,7 +51,7 @@ class NrrdReaderTest {
   }
 
   private static SegmentedVolume read(String name, SegmentSpec spec) throws VolumeFormatException {
-    VolumeReader reader = VolumeFiles.open(TestData.file(name), ReadOptions.defaults());
+    VolumeReader reader = VolumeFiles.open(Scans.file(name), ReadOptions.defaults());
     return SegmentBuilder.read(reader, List.of(spec));
   }
 }

@@ -16,9 +16,9 @@ import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.volume.RawLayout;
 import org.palpate.io.volume.ReadOptions;
-import org.palpate.io.volume.TestData;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.io.volume.VolumeReader;
+import org.palpate.testing.Scans;
 
 class RawReaderTest {
   @TempDir Path folder;
@@ -28,7 +28,7 @@ class RawReaderTest {
     // data/README.md: >=1150 gives 34,295
     ReadOptions options =
         ReadOptions.defaults().withRaw(RawLayout.parse("64x64x93:u16le:3.2,3.2,1.5"));
-    VolumeReader reader = VolumeFiles.open(TestData.file("small/headsq"), options);
+    VolumeReader reader = VolumeFiles.open(Scans.file("small/headsq"), options);
     assertEquals(
         34_295,
         SegmentBuilder.read(reader, List.of(SegmentSpec.atLeast("bone", 1150)))
