@@ -65,6 +65,7 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
    * @param plans guides and effects
    * @param massKg the mass of the point, if it has one
    * @param materials tissue from grey values, if there is any
+   * @param detailed whether it has detail that a faster frame could resolve
    * @param driven whether a force follows time; such an effect is active
    */
   public record Feel(
@@ -72,28 +73,31 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
       List<EffectPlan> plans,
       OptionalDouble massKg,
       Optional<GreyMaterials> materials,
+      boolean detailed,
       boolean driven) {
+    private static Feel ofPlans(
+        String name, boolean detailed, boolean driven, EffectPlan... plans) {
+      return new Feel(
+          name, List.of(plans), OptionalDouble.empty(), Optional.empty(), detailed, driven);
+    }
+
     private static Feel of(String name, EffectPlan... plans) {
-      return new Feel(name, List.of(plans), OptionalDouble.empty(), Optional.empty(), false);
+      return ofPlans(name, false, false, plans);
     }
 
     private static Feel ofMass(double kg) {
       String name = "mass " + kg + " kg";
-      return new Feel(name, List.of(), OptionalDouble.of(kg), Optional.empty(), false);
+      return new Feel(name, List.of(), OptionalDouble.of(kg), Optional.empty(), false, false);
     }
 
     private static Feel ofMaterials(String name, GreyMaterials materials) {
-      return new Feel(name, List.of(), OptionalDouble.empty(), Optional.of(materials), false);
+      return new Feel(
+          name, List.of(), OptionalDouble.empty(), Optional.of(materials), false, false);
     }
 
-    /** Whether it is also studied above 1 kHz: plain contact, mass, and what is felt as detail. */
+    /** Whether it is also studied above 1 kHz: plain contact, mass, and detail. */
     boolean isStudiedFast() {
-      return name.equals("none") || name.startsWith("texture") || driven || massKg.isPresent();
-    }
-
-    /** Returns a feel whose force follows time. */
-    private static Feel ofDriven(String name, EffectPlan plan) {
-      return new Feel(name, List.of(plan), OptionalDouble.empty(), Optional.empty(), true);
+      return detailed || (plans.isEmpty() && materials.isEmpty());
     }
   }
 
@@ -119,8 +123,8 @@ public record FeelTrial(DeviceModel device, Grip grip, Sampling sampling, Feel f
         Feel.of("viscosity 0.01", Effects.viscosity(0.01)),
         Feel.of("magnet 0.04 N", Effects.magnet(wall, 0.04, REACH_MM)),
         Feel.of("stick-slip 0.3 N", Effects.stickSlip(0.3)),
-        Feel.of("texture 0.2 mm", Effects.texture(ripples(), 0.2)),
-        Feel.ofDriven("vibration 100 Hz 0.3 N", Effects.vibration(100, 0.3)),
+        Feel.ofPlans("texture 0.2 mm", true, false, Effects.texture(ripples(), 0.2)),
+        Feel.ofPlans("vibration 100 Hz 0.3 N", true, true, Effects.vibration(100, 0.3)),
         Feel.ofMaterials("tissue from grey", new GreyMaterials(tissue(), GreyMaterials.CT)),
         Feel.ofMass(0.005),
         Feel.ofMass(0.05),
