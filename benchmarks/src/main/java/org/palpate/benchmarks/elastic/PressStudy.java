@@ -47,7 +47,9 @@ final class PressStudy {
     private double atUpdates;
     private double anywhere;
     private long steps;
-    private double held;
+
+    /** The sum over the frames of the force against the motion, N. */
+    private double againstMotion;
 
     StepWatch(ElasticSession session, double newtonPerMm) {
       this.session = session;
@@ -66,7 +68,7 @@ final class PressStudy {
       double beyond = change - newtonPerMm * motion;
       anywhere = Math.max(anywhere, beyond);
       steps += beyond > LEAST_STEP_NEWTON ? 1 : 0;
-      held -= motion > 0 ? session.forceNewton().dot(motionOfHand) / motion : 0;
+      againstMotion -= motion > 0 ? session.forceNewton().dot(motionOfHand) / motion : 0;
       frames++;
       atUpdates = session.wasUpdated() ? Math.max(atUpdates, beyond) : atUpdates;
       remember();
@@ -84,8 +86,8 @@ final class PressStudy {
       String condition = String.format(Locale.ROOT, "20 kPa, sliding 60 mm/s, %.0f mm deep", depth);
       StepWatch watch = slideSteps(Softness.USUAL, depth);
       addSteps(condition, watch, 0.03, figures);
-      double held = watch.held / watch.frames;
-      figures.add(RigidFigure.of("step", condition, "mean force against the motion", held, "N"));
+      double newton = watch.againstMotion / watch.frames;
+      figures.add(RigidFigure.of("step", condition, "mean force against the motion", newton, "N"));
     }
     return figures;
   }

@@ -30,9 +30,7 @@ final class SettlingDevice extends DeviceDecorator {
     if (reads++ >= restFrames) {
       return device.read(state);
     }
-    state.positionMm.set(start.positionMm);
-    state.orientation.set(start.orientation);
-    state.timeNanos = start.timeNanos;
+    state.set(start);
     return ReadStatus.FRESH;
   }
 
