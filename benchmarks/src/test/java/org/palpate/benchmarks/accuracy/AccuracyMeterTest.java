@@ -115,18 +115,7 @@ class AccuracyMeterTest {
 
   @Test
   void aForceOnAPlaneHasNoTrueChangeToCompareWith() {
-    AnalyticSurface plane =
-        new AnalyticSurface() {
-          @Override
-          public double signedDistance(Vec3 at) {
-            return at.z - 64;
-          }
-
-          @Override
-          public Vec3 normal(Vec3 at, Vec3 dest) {
-            return dest.set(0, 0, 1);
-          }
-        };
+    AnalyticSurface plane = new HorizontalPlane(64);
     SlideTrajectory slide = new SlideTrajectory(plane, EDGE_MM, DEPTH_MM, 0.5, FRAMES, 3);
     ProxySolver lagging = (scene, device, point) -> point.position.set(device.x, device.y, 32);
     CollisionScene empty = new CollisionScene(List.of(new BitCube(1, 1, 1)));

@@ -19,8 +19,6 @@ class AccuracySceneTest {
   private static final int EDGE = 64;
   private static final Vec3 SPACING = new Vec3(1, 2, 3.2);
 
-  private final SplittableRandom random = new SplittableRandom(SEED);
-
   /** A ball of radius 20.3 around (31.7, 32.4, 33.1). */
   private static final AnalyticSurface BALL =
       new AnalyticSurface() {
@@ -38,19 +36,7 @@ class AccuracySceneTest {
         }
       };
 
-  /** A half space below z = 10 mm. */
-  private static final AnalyticSurface FLOOR =
-      new AnalyticSurface() {
-        @Override
-        public double signedDistance(Vec3 at) {
-          return at.z - 10;
-        }
-
-        @Override
-        public Vec3 normal(Vec3 at, Vec3 dest) {
-          return dest.set(0, 0, 1);
-        }
-      };
+  private final SplittableRandom random = new SplittableRandom(SEED);
 
   private static Vec3 centre(int i, int j, int k) {
     return new Vec3((i + 0.5) * SPACING.x, (j + 0.5) * SPACING.y, (k + 0.5) * SPACING.z);
@@ -82,7 +68,7 @@ class AccuracySceneTest {
 
   @Test
   void aGreyValueIsTheSolidFractionOfItsVoxel() {
-    ScalarVolume volume = SampledSolids.greyOf(FLOOR, EDGE, SPACING);
+    ScalarVolume volume = SampledSolids.greyOf(new HorizontalPlane(10), EDGE, SPACING);
     for (int k = 0; k < 20; k++) {
       double solid = Math.max(0, Math.min(1, (10 - SPACING.z * k) / SPACING.z));
       double grey = volume.value(random.nextInt(64), random.nextInt(32), k);
@@ -184,7 +170,7 @@ class AccuracySceneTest {
   }
 
   @Test
-  void everySolverHasANameOfItsOwnAndStopsAboveASphere() {
+  void everySolverHasANameOfItsOwnAndStopsAtASphere() {
     AccuracyScene scene = AccuracyStudy.scene("sphere", AccuracyStudy.CUBES);
     List<ComparedSolver> all = ComparedSolver.all(scene);
     assertEquals(all.size(), all.stream().map(ComparedSolver::name).distinct().count());
