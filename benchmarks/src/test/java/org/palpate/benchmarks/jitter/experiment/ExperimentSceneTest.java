@@ -94,15 +94,21 @@ class ExperimentSceneTest {
     PalpateException phantom =
         assertThrows(PalpateException.class, () -> ExperimentScene.check("phantom cube:32"));
     assertEquals(PalpateException.WRONG_USE, phantom.exitCode());
-    assertThrows(
-        VolumeFormatException.class,
-        () -> ExperimentScene.check("volume " + folder.resolve("missing.nrrd")));
-    String file = "volume " + raw() + "\nraw 3x2x3:u8:1,1,2\nsegment a=>=1";
-    assertThrows(VolumeFormatException.class, () -> ExperimentScene.check(file), "18 bytes of 12");
-    String segment = "volume " + raw() + "\nraw 3x2x2:u8:1,1,2\nsegment a=about 7";
-    assertThrows(VolumeFormatException.class, () -> ExperimentScene.check(segment));
+    assertRefused("no such file", "volume " + folder.resolve("missing.nrrd"));
+    assertRefused(
+        "the file has 12 bytes but --raw describes 18",
+        "volume " + raw() + "\nraw 3x2x3:u8:1,1,2\nsegment a=>=1");
+    assertRefused(
+        "the values of the segment are not understood: --segment a=about 7",
+        "volume " + raw() + "\nraw 3x2x2:u8:1,1,2\nsegment a=about 7");
     IllegalArgumentException unknown =
         assertThrows(IllegalArgumentException.class, () -> ExperimentScene.check("mesh a.stl"));
     assertEquals("not a scene: mesh a.stl", unknown.getMessage());
+  }
+
+  private static void assertRefused(String reason, String scene) {
+    String message =
+        assertThrows(VolumeFormatException.class, () -> ExperimentScene.check(scene)).getMessage();
+    assertTrue(message.startsWith(reason + ": "), message);
   }
 }
