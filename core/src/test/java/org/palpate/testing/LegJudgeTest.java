@@ -1,6 +1,7 @@
 package org.palpate.testing;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -102,12 +103,14 @@ class LegJudgeTest {
   }
 
   @Test
-  void aFaultyFrameDoesNotHideTheNextFault() {
+  void afterAFaultTheChainGoesOnWhereTheLastFreeLegEnded() {
     leg(2, 2, 2);
-    assertTrue(nextFault() != null);
+    assertNotNull(nextFault());
+    leg(1, 0.5, 0.5);
+    assertTrue(nextFault().startsWith("leg 0 starts at"), "the corner is not where it ended");
     point.position.set(START);
     leg(1, 0.5, 0.5);
-    assertNull(nextFault(), "the chain goes on where the last free leg ended");
+    assertNull(nextFault());
   }
 
   /** Both oracles decide exactly, in different ways, whether one leg touches. */
