@@ -9,8 +9,7 @@ public final class RandomCases {
 
   /** Returns the cases to run, of the number that a test runs otherwise; at least one. */
   public static int of(int all) {
-    String part = System.getProperty("palpate.cases", "");
-    boolean isSet = !part.isEmpty() && !part.startsWith("${");
-    return isSet ? (int) Math.max(1, Math.ceil(all * Double.parseDouble(part))) : all;
+    double part = Double.parseDouble(System.getProperty("palpate.cases", "1"));
+    return (int) Math.max(1, Math.ceil(all * part));
   }
 }
