@@ -67,12 +67,11 @@ class GreyTissueScanTest {
             values,
             List.of(new GreyMaterials.Row(soft, 0.1, 0, 0), new GreyMaterials.Row(hard, 1, 0, 0)));
     GridMetric metric = GridMetric.of(volume.grid().spacingMm());
-    for (SmoothSolver solver :
-        List.of(
-            new SmoothSolver(metric, MAX_STEP_MM), // with wide terraces and thin slices
-            new SmoothSolver(metric, MAX_STEP_MM, GreyIsosurface.ofThreshold(values, threshold)))) {
-      touch(volume, solver, materials, file + " " + solver.getClass().getSimpleName());
-    }
+    SmoothSolver binary = new SmoothSolver(metric, MAX_STEP_MM); // with terraces and thin slices
+    touch(volume, binary, materials, file + ", field of voxels");
+    GreyIsosurface isosurface = GreyIsosurface.ofThreshold(values, threshold);
+    SmoothSolver grey = new SmoothSolver(metric, MAX_STEP_MM, isosurface);
+    touch(volume, grey, materials, file + ", field of grey values");
   }
 
   private void touch(
