@@ -85,6 +85,9 @@ class DeclarationRulesTest {
         List.of("A.a does not state when it throws IllegalStateException"),
         comments("/** Runs. */ public void a() { throw new IllegalStateException(); }"));
     assertEquals(
+        List.of("A.<init> does not state when it throws IllegalStateException"),
+        comments("/** Begins. */ public A() { throw new IllegalStateException(); }"));
+    assertEquals(
         List.of("A.b has no comment"), comments("/** B. */ public interface B { int b(); }"));
   }
 
