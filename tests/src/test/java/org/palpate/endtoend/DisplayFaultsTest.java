@@ -2,9 +2,9 @@ package org.palpate.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -163,17 +163,10 @@ class DisplayFaultsTest {
   private static void await(Process process, Path out, Condition condition) throws IOException {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_S);
     while (!condition.holds()) {
-      boolean waits = System.nanoTime() < end && process.isAlive();
-      assertTrue(waits, () -> "the condition never held; printed: " + text(out));
+      if (System.nanoTime() >= end || !process.isAlive()) {
+        fail("the condition never held; printed: " + Files.readString(out));
+      }
       Thread.onSpinWait();
-    }
-  }
-
-  private static String text(Path file) {
-    try {
-      return Files.readString(file);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 
