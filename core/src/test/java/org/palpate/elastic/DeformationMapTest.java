@@ -4,12 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.palpate.elastic.lattice.ControlLattice;
-import org.palpate.elastic.lattice.ElasticMaterial;
-import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.Seeds;
@@ -18,17 +15,11 @@ import org.palpate.volume.BitCube;
 class DeformationMapTest {
   private static final double EDGE = 4;
   private final Random random = new Random(Seeds.seed());
-  private final ControlLattice lattice = lattice();
+  private final ControlLattice lattice =
+      ElasticTouch.softCube(new BitCube(20, 20, 20), 2, new GridMetric(1, 1.5, 2), EDGE);
   private final RoomProof proof = new RoomProof(lattice.cells());
   private final DeformationField field = new DeformationField(lattice.layout());
   private final DeformationMap map = new DeformationMap(lattice.layout(), field);
-
-  private static ControlLattice lattice() {
-    BitCube bits = new BitCube(20, 20, 20);
-    ElasticTouch.fill(bits, 2, 18, 2, 18, 2, 18);
-    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
-    return new ControlLattice(new GridMetric(1, 1.5, 2), List.of(soft), List.of(), EDGE);
-  }
 
   private void newField(double displaced) {
     do {

@@ -98,6 +98,19 @@ final class ElasticTouch {
     }
   }
 
+  /**
+   * Fills all voxels of a cube except for a rim, and returns the lattice of what is filled.
+   *
+   * @param rim the number of empty voxels on each side
+   * @param edgeMm the edge of a cell of the lattice
+   */
+  static ControlLattice softCube(BitCube bits, int rim, GridMetric metric, double edgeMm) {
+    int end = bits.sizeX() - rim;
+    fill(bits, rim, end, rim, end, rim, end);
+    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
+    return new ControlLattice(metric, List.of(soft), List.of(), edgeMm);
+  }
+
   static void fill(BitCube bits, int x0, int x1, int y0, int y1, int z0, int z1) {
     for (int k = z0; k < z1; k++) {
       for (int j = y0; j < y1; j++) {

@@ -4,28 +4,19 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.palpate.elastic.lattice.ControlLattice;
-import org.palpate.elastic.lattice.ElasticMaterial;
-import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.geometry.GridMetric;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
 class FoldGuardTest {
   private final Random random = new Random(Seeds.seed());
-  private final ControlLattice lattice = lattice();
+  private final ControlLattice lattice =
+      ElasticTouch.softCube(new BitCube(20, 20, 20), 2, new GridMetric(1, 1, 1), 4);
   private final FoldGuard guard = new FoldGuard(lattice.cells());
   private final int size = 3 * lattice.layout().nodeCount();
-
-  private static ControlLattice lattice() {
-    BitCube bits = new BitCube(20, 20, 20);
-    ElasticTouch.fill(bits, 2, 18, 2, 18, 2, 18);
-    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
-    return new ControlLattice(new GridMetric(1, 1, 1), List.of(soft), List.of(), 4);
-  }
 
   private float[] randomDisplacement(double mm) {
     float[] u = new float[size];

@@ -11,8 +11,6 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.palpate.elastic.lattice.ControlLattice;
-import org.palpate.elastic.lattice.ElasticMaterial;
-import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
 import org.palpate.testing.Seeds;
@@ -21,13 +19,7 @@ import org.palpate.volume.BitCube;
 class HandOverTest {
   private final Random random = new Random(Seeds.seed());
   private final BitCube bits = new BitCube(20, 20, 20);
-  private final ControlLattice lattice = lattice();
-
-  private ControlLattice lattice() {
-    ElasticTouch.fill(bits, 2, 18, 2, 18, 2, 18);
-    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
-    return new ControlLattice(new GridMetric(1, 1, 1), List.of(soft), List.of(), 5);
-  }
+  private final ControlLattice lattice = ElasticTouch.softCube(bits, 2, new GridMetric(1, 1, 1), 5);
 
   @Test
   void theReaderTakesTheNewestFieldOnce() {

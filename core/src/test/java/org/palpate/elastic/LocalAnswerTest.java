@@ -2,12 +2,9 @@ package org.palpate.elastic;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.palpate.elastic.lattice.ControlLattice;
-import org.palpate.elastic.lattice.ElasticMaterial;
-import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.Seeds;
@@ -16,17 +13,11 @@ import org.palpate.volume.BitCube;
 class LocalAnswerTest {
   private final Random random = new Random(Seeds.seed());
 
-  private static ControlLattice lattice() {
-    BitCube bits = new BitCube(8, 8, 8);
-    ElasticTouch.fill(bits, 2, 6, 2, 6, 2, 6);
-    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
-    return new ControlLattice(new GridMetric(0.5, 1, 2), List.of(soft), List.of(), 2);
-  }
-
   /** At the force that is found, the spring pulls as hard as the material is pressed. */
   @Test
   void theSpringAndTheMaterialBalance() {
-    ControlLattice lattice = lattice();
+    ControlLattice lattice =
+        ElasticTouch.softCube(new BitCube(8, 8, 8), 2, new GridMetric(0.5, 1, 2), 2);
     for (int n = 0; n < 200; n++) {
       float[] values = new float[DeformationField.STRIDE];
       for (int i = 0; i < values.length; i++) {

@@ -5,14 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.elastic.lattice.ControlLattice;
-import org.palpate.elastic.lattice.ElasticMaterial;
-import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.Seeds;
@@ -20,16 +17,10 @@ import org.palpate.volume.BitCube;
 
 class RoomProofTest {
   private final Random random = new Random(Seeds.seed());
-  private final ControlLattice lattice = lattice();
+  private final ControlLattice lattice =
+      ElasticTouch.softCube(new BitCube(16, 16, 16), 2, new GridMetric(1, 1, 1), 4);
   private final RoomProof proof = new RoomProof(lattice.cells());
   private final DeformationField field = new DeformationField(lattice.layout());
-
-  private static ControlLattice lattice() {
-    BitCube bits = new BitCube(16, 16, 16);
-    ElasticTouch.fill(bits, 2, 14, 2, 14, 2, 14);
-    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
-    return new ControlLattice(new GridMetric(1, 1, 1), List.of(soft), List.of(), 4);
-  }
 
   private void randomField(double displaced, double answers) {
     for (int node = 0; node < lattice.layout().nodeCount(); node++) {

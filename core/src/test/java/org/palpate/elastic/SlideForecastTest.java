@@ -3,28 +3,19 @@ package org.palpate.elastic;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.palpate.elastic.lattice.ControlLattice;
-import org.palpate.elastic.lattice.ElasticMaterial;
-import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 
 class SlideForecastTest {
-  private final SlideForecast forecast = new SlideForecast(lattice().layout());
+  private final SlideForecast forecast =
+      new SlideForecast(
+          ElasticTouch.softCube(new BitCube(40, 40, 40), 4, new GridMetric(1, 1, 2), 8).layout());
   private final Vec3 point = new Vec3(3, 5, 7);
   private final Vec3 ahead = new Vec3();
-
-  private static ControlLattice lattice() {
-    BitCube bits = new BitCube(40, 40, 40);
-    ElasticTouch.fill(bits, 4, 36, 4, 36, 4, 36);
-    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
-    return new ControlLattice(new GridMetric(1, 1, 2), List.of(soft), List.of(), 8);
-  }
 
   private void slide(int frames, double voxelsPerFrame) {
     for (int n = 0; n < frames; n++) {

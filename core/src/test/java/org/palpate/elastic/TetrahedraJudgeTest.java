@@ -3,12 +3,9 @@ package org.palpate.elastic;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.elastic.lattice.ControlLattice;
-import org.palpate.elastic.lattice.ElasticMaterial;
-import org.palpate.elastic.lattice.ElasticSegment;
 import org.palpate.elastic.lattice.LatticeLayout;
 import org.palpate.geometry.GridMetric;
 import org.palpate.testing.Seeds;
@@ -16,17 +13,11 @@ import org.palpate.volume.BitCube;
 
 /** The judge of deformations counts the folds that are planted into a lattice. */
 class TetrahedraJudgeTest {
-  private final ControlLattice lattice = lattice();
+  private final ControlLattice lattice =
+      ElasticTouch.softCube(new BitCube(16, 16, 16), 2, new GridMetric(1, 1, 1), 4);
   private final LatticeLayout layout = lattice.layout();
   private final DeformationField field = new DeformationField(layout);
   private final DeformationMap map = new DeformationMap(layout, field);
-
-  private static ControlLattice lattice() {
-    BitCube bits = new BitCube(16, 16, 16);
-    ElasticTouch.fill(bits, 2, 14, 2, 14, 2, 14);
-    ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
-    return new ControlLattice(new GridMetric(1, 1, 1), List.of(soft), List.of(), 4);
-  }
 
   private void displace(int node, int axis, double cells) {
     field.values[DeformationField.STRIDE * node + axis] = (float) cells;
