@@ -1,6 +1,7 @@
 package org.palpate.frame;
 
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import org.palpate.geometry.Vec3;
 
@@ -13,6 +14,7 @@ final class FrameCounters {
   private final AtomicLong frames = new AtomicLong();
   private final AtomicLong forceBits = new AtomicLong();
   private final AtomicLong contact = new AtomicLong();
+  private final AtomicBoolean exerting = new AtomicBoolean();
   private long contactFrames;
   private long freed;
   private long unreached;
@@ -34,6 +36,11 @@ final class FrameCounters {
   /** Takes note of a torque. Haptic thread. */
   void countTorque(Vec3 torqueNewtonMm) {
     maxTorqueNewtonMm = Math.max(maxTorqueNewtonMm, torqueNewtonMm.length());
+  }
+
+  /** Notes whether the device may exert a force or a torque after a write. Haptic thread. */
+  void noteForce(boolean mayExert) {
+    exerting.lazySet(mayExert);
   }
 
   /** Counts a force that did not reach the device. Haptic thread. */
@@ -59,6 +66,11 @@ final class FrameCounters {
   /** Whether the last frame ended in contact. Any thread. */
   boolean contact() {
     return contact.get() != 0;
+  }
+
+  /** Whether the device may exert a force or a torque. Any thread. */
+  boolean mayExertForce() {
+    return exerting.get();
   }
 
   /** Returns the length of the last force, N. Any thread. */

@@ -279,6 +279,8 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
 
   private void writeForce() {
     boolean reached = device.write(forceNewton, torqueNewtonMm);
+    boolean isZero = forceNewton.length() == 0 && torqueNewtonMm.length() == 0;
+    counters.noteForce(!reached || !isZero);
     if (reached) {
       unreachableNanos = 0;
     } else {
@@ -429,6 +431,14 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   /** Whether the last frame ended in contact. Any thread. */
   public boolean inContact() {
     return counters.contact();
+  }
+
+  /**
+   * Whether the device may exert a force or a torque: the last ones that were written were not
+   * zero, or did not arrive. Any thread.
+   */
+  public boolean mayExertForce() {
+    return counters.mayExertForce();
   }
 
   /** Returns the length of the last force, N. Any thread. */

@@ -21,9 +21,10 @@ import org.palpate.frame.HapticFrame;
  * the device. It then calls the listener once, in the thread that caused the end. A throwable of
  * any kind ends the loop.
  *
- * <p>{@link #supervise} finds a frame that does not return. It closes the device, which by contract
- * sends zero force. The session has then ended even if the haptic thread never returns. Otherwise
- * the device stays open, and whoever opened it closes it.
+ * <p>{@link #supervise} finds a haptic thread that stands still in a frame, or with a force on the
+ * device. It closes the device, which by contract sends zero force. The session has then ended even
+ * if the haptic thread never returns. Otherwise the device stays open, and whoever opened it closes
+ * it.
  *
  * <p>The haptic thread runs {@link #run}. All other methods are for any other thread.
  */
@@ -115,7 +116,10 @@ public final class HapticLoop implements AutoCloseable {
   }
 
   /**
-   * Ends the session by force if no frame has started for longer than {@code hangNanos}.
+   * Ends the session by force if no frame has started for longer than {@code hangNanos}, unless the
+   * haptic thread waits between two frames and the device has zero force and torque. Such a wait,
+   * as on a machine that does not run the thread, leaves nothing to make safe; the next frame finds
+   * the gap and starts from zero force.
    *
    * <p>One thread other than the haptic one calls it regularly, for example at 30 Hz. If the calls
    * themselves stopped for more than half of {@code hangNanos}, as in a suspended process, the wait
@@ -132,10 +136,15 @@ public final class HapticLoop implements AutoCloseable {
     }
     supervisedNanos = nowNanos;
     long quietNanos = Math.min(nowNanos - watchedSinceNanos, nowNanos - pacedLoop.lastStartNanos());
-    if (end.get() == null && pacedLoop.hasStarted() && quietNanos > settings.hangNanos()) {
+    if (end.get() == null && quietNanos > settings.hangNanos() && isDangerous()) {
       endByForce();
     }
     return end.get() != null;
+  }
+
+  /** Whether a thread that stands still leaves a frame unfinished or a force on the device. */
+  private boolean isDangerous() {
+    return pacedLoop.hasStarted() && (pacedLoop.isInFrame() || frame.mayExertForce());
   }
 
   private void endByForce() {

@@ -15,7 +15,7 @@ public record LoopEnd(Cause cause, Throwable failure) {
     DEVICE_GONE,
     /** A frame, the thread's set-up or the warm-up threw. */
     FAILED,
-    /** A frame did not return, and the loop closed the device. */
+    /** A frame did not return, or none followed a force, and the loop closed the device. */
     HUNG
   }
 }

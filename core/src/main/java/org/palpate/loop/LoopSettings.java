@@ -9,7 +9,8 @@ package org.palpate.loop;
  * @param threadSetup prepares the haptic thread
  * @param warmUp runs in the haptic thread before its first frame, so that the first frames find
  *     compiled code; see {@link WarmUp}
- * @param hangNanos time that a frame may take before the loop ends the session by force, positive
+ * @param hangNanos time that may pass after the start of a frame before {@link
+ *     HapticLoop#supervise} ends the session by force, positive
  */
 public record LoopSettings(
     long periodNanos,

@@ -1,5 +1,6 @@
 package org.palpate.loop;
 
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.HapticFrame;
@@ -24,6 +25,7 @@ final class PacedLoop {
   private final AtomicLong firstStartNanos = new AtomicLong();
   private final AtomicLong lastStartNanos = new AtomicLong();
   private final AtomicLong frames = new AtomicLong();
+  private final AtomicBoolean inFrame = new AtomicBoolean();
   private volatile boolean started;
   private volatile boolean stopRequested;
 
@@ -48,6 +50,7 @@ final class PacedLoop {
       FrameOutcome outcome = frame.run(start);
       work.record(clock.nanoTime() - start);
       frames.lazySet(frames.getPlain() + 1);
+      inFrame.lazySet(false);
       if (outcome == FrameOutcome.DEVICE_GONE) {
         return LoopEnd.Cause.DEVICE_GONE;
       }
@@ -70,6 +73,7 @@ final class PacedLoop {
     if (lateNanos > settings.periodNanos() / 2) {
       lateFrames.lazySet(lateFrames.getPlain() + 1);
     }
+    inFrame.lazySet(true); // Last, so that who sees it sees when the frame started.
   }
 
   private long nextDeadline(long deadline, long start) {
@@ -85,6 +89,11 @@ final class PacedLoop {
   /** Whether the first frame has started. Any thread. */
   boolean hasStarted() {
     return started;
+  }
+
+  /** Whether a frame has started and not returned. Any thread. */
+  boolean isInFrame() {
+    return inFrame.get();
   }
 
   /** Returns the time at which the last frame started. Any thread. */

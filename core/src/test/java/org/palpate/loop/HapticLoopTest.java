@@ -180,6 +180,50 @@ class HapticLoopTest {
   }
 
   @Test
+  void aThreadThatIsNotRunIsNotEndedWhileTheDeviceHasZeroForce() {
+    LoopEnd end = endAfterStandingStill(16, 16, 12);
+    assertEquals(LoopEnd.Cause.DEVICE_GONE, end.cause());
+    assertEquals(0, device.closed);
+  }
+
+  @Test
+  void aThreadThatIsNotRunIsEndedWhileTheDeviceExertsForce() {
+    LoopEnd end = endAfterStandingStill(16, 16, 5);
+    assertEquals(LoopEnd.Cause.HUNG, end.cause());
+    assertEquals(1, device.closed);
+  }
+
+  @Test
+  void aThreadThatIsNotRunIsEndedWhileTheDeviceMayHoldAForceThatZeroDidNotReplace() {
+    device.reachable = false;
+    LoopEnd end = endAfterStandingStill(16, 16, 12);
+    assertEquals(LoopEnd.Cause.HUNG, end.cause());
+    assertEquals(1, device.closed);
+  }
+
+  /** Lets the thread stand still for ten seconds before its eleventh frame, and returns the end. */
+  private LoopEnd endAfterStandingStill(double x, double y, double z) {
+    device.script =
+        (read, state) ->
+            read == 20 ? ReadStatus.DISCONNECTED : fresh(state, read, x, y, read < 5 ? 12 : z);
+    HapticLoop[] loops = new HapticLoop[1];
+    int[] waits = new int[1];
+    Pacer pacer =
+        deadline -> {
+          clock.awaitUntil(deadline);
+          boolean still = waits[0]++ == 10;
+          for (int tick = 0; tick < 100 && still && !loops[0].supervise(clock.nowNanos); tick++) {
+            clock.nowNanos += 100 * MS;
+          }
+        };
+    loops[0] =
+        new HapticLoop(floor.frame(device), settings().with(pacer, ThreadSetup.NONE), ends::add);
+    loops[0].run();
+    assertEquals(1, ends.size());
+    return loops[0].end();
+  }
+
+  @Test
   void aStoppedProcessIsNoHang() {
     HapticLoop[] loops = new HapticLoop[1];
     device.script =

@@ -88,9 +88,10 @@ final class TouchReport {
               end.failure());
       case HUNG ->
           throw PalpateException.failed(
-              "a frame did not return",
+              "no frame began for more than a second",
               "device " + choice,
-              "the force was ended by closing the device; check its cable and driver",
+              "the force was ended by closing the device; check its cable and driver, and what else"
+                  + " keeps the processors busy",
               null);
       case DEVICE_GONE -> {
         if (!choice.ends()) {

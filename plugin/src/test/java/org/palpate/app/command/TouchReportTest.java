@@ -25,10 +25,10 @@ class TouchReportTest {
   }
 
   @Test
-  void reportsAFrameThatDidNotReturnInOneLineWithExitCodeOne() {
+  void reportsAHapticThreadThatStoodStillInOneLineWithExitCodeOne() {
     assertReports(
-        "a frame did not return: device hid: the force was ended by closing the device; check its"
-            + " cable and driver",
+        "no frame began for more than a second: device hid: the force was ended by closing the"
+            + " device; check its cable and driver, and what else keeps the processors busy",
         new LoopEnd(Cause.HUNG, null),
         "");
   }
