@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.math.BigDecimal;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.testing.RandomCases;
 import org.palpate.testing.Seeds;
 
 class ExactProductSumTest {
@@ -14,7 +15,7 @@ class ExactProductSumTest {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
     ExactProductSum sum = new ExactProductSum();
-    for (int n = 0; n < 20_000; n++) {
+    for (int n = 0; n < RandomCases.of(20_000); n++) {
       BigDecimal expected = BigDecimal.ZERO;
       int terms = random.nextInt(1, 7);
       for (int t = 0; t < terms; t++) {

@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.palpate.testing.RandomCases;
 import org.palpate.volume.BitCube;
 
 class SampledRayCasterTest {
@@ -25,7 +26,7 @@ class SampledRayCasterTest {
     SplittableRandom random = new SplittableRandom(SEED);
     BitCube bits = RandomRays.sparseCube(random);
     Ray ray = new Ray();
-    for (int n = 0; n < RAYS; n++) {
+    for (int n = 0; n < RandomCases.of(RAYS); n++) {
       RandomRays.next(random, ray);
       boolean found = caster.cast(bits, ray, hit);
       String what = "seed " + SEED + " step " + step + " ray " + ray;
@@ -53,7 +54,7 @@ class SampledRayCasterTest {
     SplittableRandom random = new SplittableRandom(SEED);
     BitCube bits = RandomRays.sparseCube(random);
     Ray ray = new Ray();
-    for (int n = 0; n < RAYS; n++) {
+    for (int n = 0; n < RandomCases.of(RAYS); n++) {
       RandomRays.next(random, ray);
       boolean found = caster.cast(bits, ray, hit);
       String what = "seed " + SEED + " ray " + ray;

@@ -15,6 +15,7 @@ import org.palpate.proxy.reference.CollisionOnlySolver;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;
+import org.palpate.testing.RandomCases;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.Phantom;
@@ -92,7 +93,7 @@ class SkipOptionsTest {
     InteractionPoint other = new InteractionPoint();
     Vec3 device = new Vec3(1.5, 1.5, 1.5);
     point.position.set(device);
-    for (int rest = 0; rest < 3 * FRAMES; rest++) {
+    for (int rest = 0; rest < RandomCases.of(3 * FRAMES); rest++) {
       for (int frame = 0; frame < 3; frame++) {
         wander(device, random);
         solver.follow(scene, device, point);

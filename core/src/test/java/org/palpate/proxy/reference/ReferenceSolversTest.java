@@ -19,6 +19,7 @@ import org.palpate.proxy.LegPath;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.raycast.SampledRayCaster;
 import org.palpate.testing.LegJudge;
+import org.palpate.testing.RandomCases;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.phantom.AnalyticSurface;
@@ -109,7 +110,7 @@ class ReferenceSolversTest {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
     ProxySolver solver = baseline.solver();
     point.position.set(32, 32, 60);
-    for (int n = 0; n < 2000; n++) {
+    for (int n = 0; n < RandomCases.of(2000); n++) {
       Vec3 device = randomPoint(random, 64);
       solver.follow(scene(bits), device, point);
       assertTrue(point.legs.lengthMm() <= MAX_PATH_MM + 1e-9, "seed " + Seeds.seed());
@@ -174,7 +175,7 @@ class ReferenceSolversTest {
     InteractionPoint other = new InteractionPoint();
     point.position.set(16, 16, 31.5);
     other.position.set(point.position);
-    for (int n = 0; n < 3000; n++) {
+    for (int n = 0; n < RandomCases.of(3000); n++) {
       if (n % 4 == 0) {
         edit(bits, random);
         kept.reset();

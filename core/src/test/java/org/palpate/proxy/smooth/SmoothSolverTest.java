@@ -17,6 +17,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.smooth.field.OccupancyField;
 import org.palpate.testing.LegJudge;
+import org.palpate.testing.RandomCases;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -85,7 +86,7 @@ class SmoothSolverTest {
   void noLegTouchesASolidInAnyWorld() {
     for (String name : Worlds.NAMES) {
       for (GridMetric metric : METRICS) {
-        wander(name, metric, metric.equals(UNIT) ? 1500 : 400);
+        wander(name, metric, RandomCases.of(metric.equals(UNIT) ? 1500 : 400));
       }
     }
   }
@@ -126,7 +127,8 @@ class SmoothSolverTest {
   void comesToRestBitForBitInEveryWorldAndStaysThere() {
     int longest = 0;
     for (GridMetric metric : METRICS) {
-      longest = Math.max(longest, longestToRest(metric, metric.equals(UNIT) ? 60 : 20));
+      longest =
+          Math.max(longest, longestToRest(metric, RandomCases.of(metric.equals(UNIT) ? 60 : 20)));
     }
     assertTrue(longest < 200, "longest=" + longest + " seed=" + Seeds.seed());
   }
@@ -179,13 +181,13 @@ class SmoothSolverTest {
         SmoothSolver solver = new SmoothSolver(metric, 0.4);
         point.position.set(-3, -3, 45);
         device.set(point.position);
-        for (int hold = 0; hold < (metric.equals(UNIT) ? 40 : 12); hold++) {
+        for (int hold = 0; hold < RandomCases.of(metric.equals(UNIT) ? 40 : 12); hold++) {
           device.set(anywhere(), anywhere(), anywhere());
           solver.follow(scene, device, point);
           moving += framesThatLowerThePotential(solver, scene, metric, name + " " + metric);
         }
       }
-      assertTrue(moving > 300, "too few moving frames: " + moving);
+      assertTrue(moving > RandomCases.of(300), "too few moving frames: " + moving);
     }
   }
 
@@ -286,10 +288,10 @@ class SmoothSolverTest {
     point.position.set(-3, -3, 45);
     device.set(point.position);
     Vec3 goal = new Vec3(20, 22, 18);
-    slideAndTurn(solver, scene, goal, 2000);
+    slideAndTurn(solver, scene, goal, RandomCases.of(2000));
     long thread = Thread.currentThread().getId();
     long before = threads.getThreadAllocatedBytes(thread);
-    slideAndTurn(solver, scene, goal, 20000);
+    slideAndTurn(solver, scene, goal, RandomCases.of(20_000));
     long allocated = threads.getThreadAllocatedBytes(thread) - before;
     assertTrue(allocated <= 200, metric + " allocated=" + allocated);
   }

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomCases;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.ScalarVolume;
@@ -67,7 +68,7 @@ class GreyOccupancyTest {
   private void compareWithFresh(ScalarVolume volume, GridMetric metric, int evaluations) {
     OccupancyField used = field(volume, metric);
     Vec3 at = new Vec3(coordinate(), coordinate(), coordinate());
-    for (int n = 0; n < evaluations; n++) {
+    for (int n = 0; n < RandomCases.of(evaluations); n++) {
       do {
         move(at);
       } while (isSolid(at)); // the cell of a seed is empty
@@ -89,10 +90,10 @@ class GreyOccupancyTest {
     OccupancyField field = field(volume(Storage.INT16, 0.02), new GridMetric(1, 1, 3));
     Vec3 at = new Vec3(20, 20, 20);
     SeedCell seed = new SeedCell();
-    evaluateAlongAWalk(field, at, seed, 2000);
+    evaluateAlongAWalk(field, at, seed, RandomCases.of(2000));
     long thread = Thread.currentThread().getId();
     long before = threads.getThreadAllocatedBytes(thread);
-    evaluateAlongAWalk(field, at, seed, 20_000);
+    evaluateAlongAWalk(field, at, seed, RandomCases.of(20_000));
     long allocated = threads.getThreadAllocatedBytes(thread) - before;
     assertTrue(allocated <= 200, "allocated=" + allocated);
   }
@@ -141,7 +142,7 @@ class GreyOccupancyTest {
             boxes,
             (x, y, z, isSolid) -> thin(volume, grid, grid.cuts().size(), new int[] {x, y, z}));
     OccupancyField field = field(volume, metric);
-    for (int n = 0; n < 12; n++) {
+    for (int n = 0; n < RandomCases.of(12); n++) {
       Vec3 at = new Vec3(coordinate(), coordinate(), coordinate());
       Vec3 inCells =
           new Vec3(grid.perVoxel(0) * at.x, grid.perVoxel(1) * at.y, grid.perVoxel(2) * at.z);
@@ -209,7 +210,7 @@ class GreyOccupancyTest {
     NaiveOccupancyField naive =
         new NaiveOccupancyField(
             scene::isSolid, boxes, (i, j, k, isSolid) -> occupancy(volume, i, j, k, isSolid));
-    for (int n = 0; n < 60; n++) {
+    for (int n = 0; n < RandomCases.of(60); n++) {
       Vec3 at = new Vec3(coordinate(), coordinate(), coordinate());
       int[] seed = {(int) Math.floor(at.x), (int) Math.floor(at.y), (int) Math.floor(at.z)};
       assertEquals(

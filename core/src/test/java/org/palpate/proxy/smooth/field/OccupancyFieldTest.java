@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomCases;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -117,7 +118,7 @@ class OccupancyFieldTest {
   private void answersDoNotDependOnEarlierEvaluations(BitCube bits) {
     CollisionScene scene = new CollisionScene(List.of(bits));
     OccupancyField used = field(scene, UNIT);
-    for (int n = 0; n < 1000; n++) {
+    for (int n = 0; n < RandomCases.of(1000); n++) {
       Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
       FieldSample fresh = field(scene, UNIT).evaluate(cell(point), point);
       FieldSample sample = used.evaluate(cell(point), point);
@@ -139,7 +140,7 @@ class OccupancyFieldTest {
     CollisionScene scene = new CollisionScene(List.of(both));
     for (GridMetric metric : List.of(UNIT, new GridMetric(0.7, 0.7, 1.4))) {
       OccupancyField used = field(scene, metric);
-      for (int n = 0; n < 100; n++) {
+      for (int n = 0; n < RandomCases.of(100); n++) {
         Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
         for (int side = 0; side < 2; side++) {
           FieldSample fresh = field(scene, metric).evaluate(cell(point), point);
@@ -167,7 +168,7 @@ class OccupancyFieldTest {
     OccupancyField plain = OccupancyField.ofBits(metric);
     many.use(scene);
     plain.use(scene);
-    for (int n = 0; n < 2000; n++) {
+    for (int n = 0; n < RandomCases.of(2000); n++) {
       if (n % 250 == 249) {
         bits.set(random.nextInt(27), random.nextInt(29), random.nextInt(31));
         many.forget();
@@ -200,7 +201,7 @@ class OccupancyFieldTest {
     GridMetric metric = new GridMetric(0.7, 1.4, 2.1);
     OccupancyField field = field(new CollisionScene(List.of(randomBits(0.3))), metric);
     double h = 1e-5;
-    for (int n = 0; n < 300; n++) {
+    for (int n = 0; n < RandomCases.of(300); n++) {
       Vec3 p = awayFromHalves();
       FieldSample sample = field.evaluate(cell(p), p);
       double gx = sample.gx();
@@ -267,7 +268,7 @@ class OccupancyFieldTest {
       CollisionScene scene = new CollisionScene(List.of(bits));
       OccupancyField used = field(scene, metric);
       Vec3 point = new Vec3(14, 14, 24);
-      for (int n = 0; n < 300; n++) {
+      for (int n = 0; n < RandomCases.of(300); n++) {
         if (n % 3 == 0) {
           toggleTile(bits, random.nextInt(7), random.nextInt(7), random.nextInt(31));
           used.forget();
@@ -305,7 +306,7 @@ class OccupancyFieldTest {
     Vec3 edges = OccupancyField.edges(metric);
     NaiveTerraces terraces = new NaiveTerraces(scene::isSolid, ThinGrid.WHOLE, edges);
     NaiveOccupancyField naive = new NaiveOccupancyField(scene::isSolid, terraces, boxes);
-    for (int n = 0; n < 60; n++) {
+    for (int n = 0; n < RandomCases.of(60); n++) {
       Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
       int[] seed = {near(point.x), near(point.y), near(point.z)};
       Vec3 inSeed = new Vec3(seed[0] + 0.5, seed[1] + 0.5, seed[2] + 0.5);
@@ -329,7 +330,7 @@ class OccupancyFieldTest {
     NaiveThinSlices slices = NaiveThinSlices.of(scene::isSolid, grid, edges);
     NaiveOccupancyField naive =
         new NaiveOccupancyField(slices, new NaiveTerraces(slices, grid, edges), boxes);
-    for (int n = 0; n < 15; n++) {
+    for (int n = 0; n < RandomCases.of(15); n++) {
       Vec3 point = new Vec3(coordinate(), coordinate(), coordinate());
       Vec3 inSeed = new Vec3(near(point.x) + 0.5, near(point.y) + 0.5, near(point.z) + 0.5);
       assertEquals(

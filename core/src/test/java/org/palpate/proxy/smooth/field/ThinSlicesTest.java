@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomCases;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
@@ -28,7 +29,7 @@ class ThinSlicesTest {
     "0, 2", "1, 2", "2, 1.2", "1, 1.5", "2, 2", "2, 2.4", "0, 3", "2, 3.57", "1, 5", "2, 7.3"
   })
   void equalTheirDefinition(int axis, double ratio) {
-    compareAll(edges(axis, ratio), 60);
+    compareAll(edges(axis, ratio), RandomCases.of(60));
   }
 
   @ParameterizedTest
@@ -61,7 +62,7 @@ class ThinSlicesTest {
     assertEquals(10, ThinGrid.ofGrey(edges).perVoxel(2));
     fill((i, j, k) -> i + 3 * k < 120);
     ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
-    for (int n = 0; n < 200; n++) {
+    for (int n = 0; n < RandomCases.of(200); n++) {
       compare(slices, edges, randomBrick(edges));
     }
   }
