@@ -3,7 +3,6 @@ package org.palpate.benchmarks.elastic;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.palpate.benchmarks.rigid.RigidFigure;
-import org.palpate.benchmarks.stress.ExactJudge;
 import org.palpate.edit.BrushEdit;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
@@ -17,8 +16,6 @@ import org.palpate.volume.phantom.Phantom;
  * and every tetrahedron of fields as the haptic thread uses them.
  */
 final class ElasticAttack {
-  private static final int FRAMES_PER_ROUND = 3_000;
-  private static final int FRAMES_PER_JUDGEMENT = 60;
   private static final double TORN_AWAY_VOXELS = 1e9;
 
   private static final double[][] SPACINGS = {
@@ -26,16 +23,13 @@ final class ElasticAttack {
   };
 
   private final SplittableRandom random;
-  private final ExactJudge legJudge = new ExactJudge();
+  private final ElasticLegJudge legJudge = new ElasticLegJudge();
   private final TetrahedronJudge fieldJudge = new TetrahedronJudge();
-  private final Vec3 chain = new Vec3();
+  private final Vec3 start = new Vec3();
   private final Vec3 goal = new Vec3();
   private double speed;
   private int stalled;
   private long frames;
-  private long legs;
-  private long touching;
-  private long broken;
   private long freed;
   private long updates;
   private long scaledBack;
@@ -46,16 +40,24 @@ final class ElasticAttack {
     random = new SplittableRandom(seed);
   }
 
-  /** Attacks until so many legs and tetrahedra are judged, and returns the figures. */
-  List<RigidFigure> figures(long leastLegs, long leastTetrahedra) {
-    while (legs < leastLegs || fieldJudge.judged() < leastTetrahedra) {
-      attack();
+  /** Attacks until so many legs and tetrahedra are judged in all. */
+  void attack(UpdatePace pace, long leastLegs, long leastTetrahedra) {
+    while (legJudge.legs() < leastLegs || fieldJudge.judged() < leastTetrahedra) {
+      attack(pace);
     }
+  }
+
+  /** Returns the figures of all attacks so far. */
+  List<RigidFigure> figures() {
     return List.of(
-        noneOf("legs that touch a solid", touching),
-        noneOf("broken chains", broken),
+        noneOf("legs that touch a solid", legJudge.touching()),
+        noneOf("broken chains", legJudge.broken()),
         noneOf("tetrahedra that are not positive", fieldJudge.notPositive()),
-        countOf("legs judged", legs),
+        noneOf("verdicts in doubles that decimal fractions do not give", legJudge.differing()),
+        noneOf("planted legs that were not found", legJudge.plantedUnfound()),
+        countOf("legs judged", legJudge.legs()),
+        countOf("verdicts also given in decimal fractions alone", legJudge.compared()),
+        countOf("planted legs", legJudge.plantedLegs()),
         countOf("tetrahedra judged", fieldJudge.judged()),
         countOf("tetrahedra decided in decimal fractions", fieldJudge.exactDecisions()),
         countOf("frames", frames),
@@ -74,7 +76,7 @@ final class ElasticAttack {
     return RigidFigure.of("attack", "hostile frames", name, (double) count, "");
   }
 
-  private void attack() {
+  private void attack(UpdatePace pace) {
     SoftScene scene = scene();
     double edge = scene.metric().shortestEdgeMm();
     double cell = (5 + random.nextInt(5)) * Math.max(edge, scene.metric().spacingZ() / 2);
@@ -90,22 +92,22 @@ final class ElasticAttack {
     boolean edits = random.nextInt(3) > 0;
     session.hand().set(scene.soft().sizeX() / 2.0 + 0.3, scene.soft().sizeY() / 2.0 + 0.4, -2);
     session.run();
-    chain.set(session.point().position);
+    legJudge.begin(session.point().position);
     goal.set(session.hand());
     stalled = 0;
-    for (int n = 0; n < FRAMES_PER_ROUND; n++) {
+    for (int n = 0; n < pace.framesPerRound; n++) {
       move(session, scene);
       if (edits && random.nextInt(100) == 0) {
         edit(session, scene);
       }
-      updateUnlessStalled(session);
+      updateUnlessStalled(session, pace);
       session.runFrame();
       judge(session, scene);
-      if (n % FRAMES_PER_JUDGEMENT == FRAMES_PER_JUDGEMENT / 2) {
+      if (n % pace.framesPerJudgement == pace.framesPerJudgement / 2) {
         fieldJudge.judge(session.body());
       }
     }
-    frames += FRAMES_PER_ROUND;
+    frames += pace.framesPerRound;
     updates += session.body().counters().updates();
     scaledBack += session.body().counters().scaledBack();
     refused += session.body().counters().refused();
@@ -162,10 +164,10 @@ final class ElasticAttack {
     session.edits().offer(new BrushEdit(random.nextInt(2), centre, 3, !drill));
   }
 
-  /** Leaves updates out for up to half a second from time to time, as if their thread stalled. */
-  private void updateUnlessStalled(ElasticSession session) {
-    if (stalled == 0 && random.nextInt(1_000) == 0) {
-      stalled = random.nextInt(500);
+  /** Leaves updates out from time to time, as if their thread stalled. */
+  private void updateUnlessStalled(ElasticSession session, UpdatePace pace) {
+    if (stalled == 0 && random.nextInt(pace.framesPerStop) == 0) {
+      stalled = random.nextInt(pace.longestStopFrames);
     }
     if (stalled > 0) {
       stalled--;
@@ -178,24 +180,12 @@ final class ElasticAttack {
     LegPath path = session.point().legs;
     if (session.wasFreed()) {
       freed++;
-      if (path.count() == 0) {
-        chain.set(session.point().position);
-      } else {
-        chain.set(path.start(0, 0), path.start(0, 1), path.start(0, 2));
-      }
+      boolean stands = path.count() == 0;
+      legJudge.begin(
+          stands
+              ? session.point().position
+              : start.set(path.start(0, 0), path.start(0, 1), path.start(0, 2)));
     }
-    for (int leg = 0; leg < path.count(); leg++) {
-      boolean begins =
-          path.start(leg, 0) == chain.x
-              && path.start(leg, 1) == chain.y
-              && path.start(leg, 2) == chain.z;
-      broken += begins ? 0 : 1;
-      for (BitCube bits : scene.solids()) {
-        touching += legJudge.touches(bits, path, leg) ? 1 : 0;
-      }
-      chain.set(path.end(leg, 0), path.end(leg, 1), path.end(leg, 2));
-      legs++;
-    }
-    broken += chain.sameBits(session.point().position) ? 0 : 1;
+    legJudge.judge(path, session.point().position, scene.solids());
   }
 }

@@ -69,7 +69,11 @@ public final class ElasticRun {
     add(new RestStudy().figures());
     progress.accept("attack");
     ElasticAttack attack = new ElasticAttack(seed);
-    add(quick ? attack.figures(50_000, 1_000_000) : attack.figures(10_000_000, 100_000_000));
+    attack.attack(UpdatePace.USUAL, 50_000, 1_000_000);
+    if (!quick) {
+      attack.attack(UpdatePace.RARE, 10_000_000, 100_000_000);
+    }
+    add(attack.figures());
   }
 
   private void add(List<RigidFigure> more) {

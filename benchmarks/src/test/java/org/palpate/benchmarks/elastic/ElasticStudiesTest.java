@@ -21,10 +21,15 @@ class ElasticStudiesTest {
 
   @Test
   void theAttackFindsNothing() {
-    List<RigidFigure> figures = new ElasticAttack(SEED).figures(5_000, 200_000);
+    ElasticAttack attack = new ElasticAttack(SEED);
+    attack.attack(UpdatePace.USUAL, 5_000, 200_000);
+    attack.attack(UpdatePace.RARE, 50_000, 200_000);
+    List<RigidFigure> figures = attack.figures();
     figures.forEach(figure -> assertTrue(!figure.verdict().equals("missed"), figure.toString()));
     assertTrue(value(figures, "", "updates") > 100);
-    assertTrue(value(figures, "", "legs judged") >= 5_000);
+    assertTrue(value(figures, "", "legs judged") >= 50_000);
+    assertTrue(value(figures, "", "verdicts also given in decimal fractions alone") >= 1_000);
+    assertTrue(value(figures, "", "planted legs") > 200);
   }
 
   @Test
