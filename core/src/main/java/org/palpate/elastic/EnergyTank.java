@@ -89,11 +89,11 @@ final class EnergyTank {
 
   /**
    * Returns the largest part of a force, at most 1, after which the tank still holds what one more
-   * motion like the last returns.
+   * motion like the last returns. If the hand presses on, such a motion returns nothing.
    */
   private static double leavingPart(double before, double byNext) {
-    double needed = Math.abs(byNext) - byNext;
-    return before >= needed ? 1 : Math.max(0, before / needed);
+    double needed = -2 * byNext;
+    return needed <= 0 || before >= needed ? 1 : Math.max(0, before / needed);
   }
 
   /** Returns the number of frames whose force was lowered. */

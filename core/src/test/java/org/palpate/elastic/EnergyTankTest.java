@@ -129,6 +129,20 @@ class EnergyTankTest {
     assertEquals(1.2 * Math.sqrt(held / spring), force.z, 1e-9);
   }
 
+  /** The last force has returned more than the tank held, but the next one takes work. */
+  @Test
+  void aHandThatPressesOnFeelsAForceAlthoughTheTankIsOverdrawn() {
+    tank.restart();
+    step(0, -0.01, 0, 0.1);
+    step(-1, 0.49, 1, 0);
+    double before = 0.5 * 0.1 * 0.01 - 0.5 * 0.1 * 0.5;
+    double byNext = 0.5;
+    double spring = 1 / (2 * COUPLING);
+    double part = force.x;
+    assertEquals(before + part * byNext, part * part * spring, 1e-12, "as much as is held");
+    assertTrue(part > 0.4, "part " + part);
+  }
+
   /** Forces follow the depth by a stiffness that changes at random. */
   @Test
   void noWalkFromFreeToFreeGains() {
