@@ -53,7 +53,8 @@ public final class PublishedShape {
    * @return whether the shape differs from the last one
    */
   public boolean take() {
-    boolean differs = fields.hasNew() || forceNewton.isDirty();
+    boolean slid = point.isDirty() && fields.front().slideIntervals > 0;
+    boolean differs = fields.hasNew() || forceNewton.isDirty() || slid;
     if (differs) {
       fields.take();
       map.use(fields.front());

@@ -68,6 +68,22 @@ class PublishedShapeTest {
     return longest;
   }
 
+  /** Beside a slide the point alone chooses the blend, while the force stays zero to the bit. */
+  @Test
+  void aPointThatMovesWithoutAForceChangesABlendedShape() {
+    touch.hand.set(40, 48, 52);
+    touch.run();
+    touch.moveTo(40, 48, 42, 200);
+    touch.moveTo(52, 48, 42, 210);
+    assertTrue(touch.body.contact().map().field().slideIntervals > 0, "the field is blended");
+    touch.moveTo(50, 48, 60, 5);
+    hand();
+    touch.moveTo(50.4, 48, 60, 1);
+    assertEquals(0, touch.body.contact().load().forceNewton.length());
+    assertTrue(hand(), "the point has moved along the slide");
+    assertTrue(compareNodes() > 0.1, "the shape is still that of the contact");
+  }
+
   @Test
   void theShapeDiffersOnlyIfTheForceOrTheFieldDoes() {
     touch.hand.set(48, 48, 60);
