@@ -18,6 +18,7 @@ final class DeformationMap {
   private static final double INSIDE = -1e-12;
 
   private final LatticeLayout layout;
+  private final int[] cells;
   private DeformationField field;
   private final double[] change = new double[3];
 
@@ -49,6 +50,7 @@ final class DeformationMap {
 
   DeformationMap(LatticeLayout layout, DeformationField field) {
     this.layout = layout;
+    cells = new int[] {layout.cells(0), layout.cells(1), layout.cells(2)};
     this.field = field;
   }
 
@@ -127,39 +129,12 @@ final class DeformationMap {
   private boolean select(Vec3 material) {
     for (int axis = 0; axis < 3; axis++) {
       at[axis] = toCells(axis, material.get(axis));
-      if (!(at[axis] >= 0 && at[axis] <= layout.cells(axis))) {
-        return false;
-      }
     }
-    for (int axis = 0; axis < 3; axis++) {
-      cell[axis] = Math.min((int) at[axis], layout.cells(axis) - 1);
-      at[axis] -= cell[axis];
-      order[axis] = axis;
-    }
-    sortPair(0);
-    sortPair(1);
-    sortPair(0);
-    for (int n = 0; n < 3; n++) {
-      along[n] = at[order[n]];
-    }
-    return true;
+    return KuhnTetrahedra.find(at, cells, cell, order, along);
   }
 
   private double toCells(int axis, double grid) {
     return (grid - layout.originVoxel(axis)) / layout.voxelsPerCell(axis);
-  }
-
-  /** Puts the axis along which the point lies farther in the cell before the other one. */
-  private void sortPair(int n) {
-    if (at[order[n]] < at[order[n + 1]]) {
-      swap(n);
-    }
-  }
-
-  private void swap(int n) {
-    int first = order[n];
-    order[n] = order[n + 1];
-    order[n + 1] = first;
   }
 
   private void findNodes() {
@@ -171,10 +146,7 @@ final class DeformationMap {
 
   private void weigh() {
     findNodes();
-    weights[0] = 1 - along[0];
-    weights[1] = along[0] - along[1];
-    weights[2] = along[1] - along[2];
-    weights[3] = along[2];
+    KuhnTetrahedra.weigh(along, weights);
   }
 
   /**
@@ -262,9 +234,9 @@ final class DeformationMap {
       return false;
     }
     if (least == b) {
-      swap(0);
+      KuhnTetrahedra.swap(0, order);
     } else if (least == c) {
-      swap(1);
+      KuhnTetrahedra.swap(1, order);
     } else if (least == a) {
       return shift(order[0], 1, order[1], order[2], order[0]);
     } else {

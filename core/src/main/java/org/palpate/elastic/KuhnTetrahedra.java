@@ -6,9 +6,12 @@ import org.palpate.elastic.lattice.LatticeLayout;
  * Kuhn's division of a cell into six tetrahedra. Each follows the edges from corner 0 to corner 7
  * along the three axes in one order.
  *
+ * <p>A value between the nodes is affine on each tetrahedron. Methods work on arrays of the caller,
+ * because the haptic thread calls them many times in a frame.
+ *
  * <p>Reference: Kuhn 1960, "Some combinatorial lemmas in topology".
  */
-final class KuhnTetrahedra {
+public final class KuhnTetrahedra {
   /** The orders of the axes. */
   static final int[][] ORDERS = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
 
@@ -16,6 +19,83 @@ final class KuhnTetrahedra {
   static final int ENTRIES = 3 * LatticeLayout.CORNERS;
 
   private KuhnTetrahedra() {}
+
+  /**
+   * Finds the tetrahedron of a point in a lattice.
+   *
+   * @param at the point, in cells from the first node
+   * @param cells the number of cells along each axis
+   * @param cell receives the index of the cell along each axis
+   * @param order receives the order of the axes
+   * @param along receives the position along the edges: 1 &gt;= first &gt;= second &gt;= third
+   *     &gt;= 0
+   * @return false outside the lattice; then nothing is written
+   */
+  public static boolean find(double[] at, int[] cells, int[] cell, int[] order, double[] along) {
+    double x = at[0];
+    double y = at[1];
+    double z = at[2];
+    if (!(x >= 0 && x <= cells[0] && y >= 0 && y <= cells[1] && z >= 0 && z <= cells[2])) {
+      return false;
+    }
+    cell[0] = Math.min((int) x, cells[0] - 1);
+    cell[1] = Math.min((int) y, cells[1] - 1);
+    cell[2] = Math.min((int) z, cells[2] - 1);
+    sort(x - cell[0], y - cell[1], z - cell[2], order, along);
+    return true;
+  }
+
+  /**
+   * Sorts positions in a cell from the largest to the least. Both methods are written out for the
+   * three axes: as loops over arrays they made the map forward, back and its gradient 7 % slower.
+   */
+  private static void sort(double x, double y, double z, int[] order, double[] along) {
+    boolean exchanged = x < y;
+    double most = exchanged ? y : x;
+    double middle = exchanged ? x : y;
+    int first = exchanged ? 1 : 0;
+    int second = exchanged ? 0 : 1;
+    int third = 2;
+    double least = z;
+    if (middle < least) {
+      least = middle;
+      middle = z;
+      third = second;
+      second = 2;
+    }
+    if (most < middle) {
+      double other = most;
+      most = middle;
+      middle = other;
+      second = first;
+      first = 2;
+    }
+    order[0] = first;
+    order[1] = second;
+    order[2] = third;
+    along[0] = most;
+    along[1] = middle;
+    along[2] = least;
+  }
+
+  /** Exchanges two axes that follow one another: goes to the tetrahedron behind a face. */
+  static void swap(int n, int[] order) {
+    int first = order[n];
+    order[n] = order[n + 1];
+    order[n + 1] = first;
+  }
+
+  /**
+   * Writes the weights of the four nodes on the path from corner 0 to corner 7; they sum to 1.
+   *
+   * @param along the position along the edges
+   */
+  public static void weigh(double[] along, double[] dest) {
+    dest[0] = 1 - along[0];
+    dest[1] = along[0] - along[1];
+    dest[2] = along[1] - along[2];
+    dest[3] = along[2];
+  }
 
   /** Returns the least of the six determinants, which are 1 at rest; NaN if any is. */
   static double leastDeterminant(double[] corners) {

@@ -1,5 +1,6 @@
 package org.palpate.scene;
 
+import org.palpate.elastic.KuhnTetrahedra;
 import org.palpate.elastic.PublishedShape;
 import org.palpate.elastic.lattice.LatticeLayout;
 import org.palpate.geometry.Vec3;
@@ -128,30 +129,23 @@ public final class Deformation {
 
   /** Writes the displacement of a position at rest: none outside the lattice. */
   private void displacementMm(Vec3 restMm, Vec3 dest) {
-    int[] cell = new int[3];
-    double[] part = new double[3];
-    dest.set(0, 0, 0);
+    double[] at = new double[3];
+    int[] cells = new int[3];
     for (int axis = 0; axis < 3; axis++) {
-      double at = (restMm.get(axis) - originMm.get(axis)) / cellMm.get(axis);
-      if (!(at >= 0 && at <= nodes[axis] - 1)) {
-        return;
-      }
-      cell[axis] = Math.min((int) at, nodes[axis] - 2);
-      part[axis] = at - cell[axis];
+      at[axis] = (restMm.get(axis) - originMm.get(axis)) / cellMm.get(axis);
+      cells[axis] = nodes[axis] - 1;
     }
-    // Along the edges of a tetrahedron: first along the axis on which the position is farthest.
-    double left = 1;
-    for (int n = 0; n <= 3; n++) {
-      int farthest = 0;
-      for (int axis = 1; axis < 3; axis++) {
-        farthest = part[axis] > part[farthest] ? axis : farthest;
-      }
-      double next = n < 3 ? part[farthest] : 0;
-      addNode(left - next, cell, dest);
-      left = next;
-      if (n < 3) {
-        cell[farthest]++;
-        part[farthest] = -1;
+    int[] node = new int[3];
+    int[] order = new int[3];
+    double[] along = new double[3];
+    dest.set(0, 0, 0);
+    if (KuhnTetrahedra.find(at, cells, node, order, along)) {
+      double[] weights = new double[4];
+      KuhnTetrahedra.weigh(along, weights);
+      addNode(weights[0], node, dest);
+      for (int n = 0; n < 3; n++) {
+        node[order[n]]++;
+        addNode(weights[n + 1], node, dest);
       }
     }
   }
