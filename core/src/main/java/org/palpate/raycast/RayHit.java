@@ -6,8 +6,8 @@ package org.palpate.raycast;
  */
 public final class RayHit {
   /**
-   * The value of {@link #axis} if the start of the ray touches the voxel already, or if a sample
-   * found it.
+   * The value of {@link #axis} if the ray starts in the voxel, or if a sample found it. A ray that
+   * starts on a plane of the voxel may have the axis of that plane instead.
    */
   public static final int NO_AXIS = -1;
 

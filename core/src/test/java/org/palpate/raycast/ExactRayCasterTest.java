@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.statistics.SkipCounters;
+import org.palpate.statistics.SkipKind;
 import org.palpate.testing.ExactOracle;
 import org.palpate.testing.HostileNumbers;
 import org.palpate.testing.RandomCases;
@@ -60,6 +62,53 @@ class ExactRayCasterTest {
     bits.set(0, 0, 12);
     Ray ray = new Ray().from(6.9373795814663115, 1.5, 10.511562080284987);
     assertTrue(caster.cast(bits, ray.to(0.0, 3.0, 11.000000000000002), hit));
+  }
+
+  @Test
+  void countsTheRaysBesideAllSolids() {
+    BitCube bits = new BitCube(8, 8, 8);
+    bits.set(4, 4, 4);
+    assertFalse(caster.cast(bits, new Ray().from(0, 3.9, 4.5).to(8, 3.9, 4.5), hit));
+    assertFalse(caster.cast(bits, new Ray().from(5.1, 0, 4.5).to(5.1, 8, 4.5), hit));
+    assertFalse(caster.cast(bits, new Ray().from(0, 4.5, 5.1).to(8, 4.5, 9), hit));
+    assertFalse(caster.cast(new BitCube(8, 8, 8), new Ray().from(0, 0, 0).to(8, 8, 8), hit));
+    assertEquals(4, skips(caster, SkipKind.BESIDE_BOUNDS));
+    assertFalse(caster.cast(bits, new Ray().from(3, 4.5, 4.5).to(4.5, 8, 4.5), hit));
+    assertEquals(4, skips(caster, SkipKind.BESIDE_BOUNDS), "it meets the box, but not the solid");
+  }
+
+  /** The far corners hold a solid each, so that the bounds are those of the cube. */
+  @Test
+  void passesEmptyBricksAndBlocksInOneStepEach() {
+    BitCube bits = new BitCube(128, 8, 8);
+    bits.set(0, 0, 0);
+    bits.set(127, 7, 7);
+    Ray along = new Ray().from(0.5, 5.5, 5.5).to(127.25, 5.6, 5.7);
+    assertFalse(caster.cast(bits, along, hit));
+    long bricks = skips(caster, SkipKind.EMPTY_BRICKS);
+    assertTrue(bricks > 0 && bricks < 32, "bricks=" + bricks);
+    ExactRayCaster voxelByVoxel = ExactRayCaster.voxelByVoxel();
+    assertFalse(voxelByVoxel.cast(bits, along, hit));
+    assertEquals(0, skips(voxelByVoxel, SkipKind.EMPTY_BRICKS));
+  }
+
+  @Test
+  void aShortRayAmongTheEmptyVoxelsOfABrickEndsAtOnce() {
+    BitCube bits = new BitCube(8, 8, 8);
+    bits.set(0, 0, 0);
+    bits.set(3, 3, 3);
+    assertFalse(caster.cast(bits, new Ray().from(1.5, 1.5, 1.5).to(2.5, 2.4, 2.3), hit));
+    assertEquals(1, skips(caster, SkipKind.EMPTY_BRICKS));
+    assertFalse(caster.cast(bits, new Ray().from(1.5, 1.5, 1.5).to(3.5, 2.4, 3.3), hit));
+    assertEquals(2, skips(caster, SkipKind.EMPTY_BRICKS), "no solid in the box of the ray");
+    assertFalse(caster.cast(bits, new Ray().from(2.2, 3.2, 3.2).to(3.2, 2.2, 2.1), hit));
+    assertEquals(2, skips(caster, SkipKind.EMPTY_BRICKS), "the box of the ray holds a solid");
+  }
+
+  private static long skips(ExactRayCaster of, SkipKind kind) {
+    SkipCounters counts = new SkipCounters();
+    of.addSkips(counts);
+    return counts.of(kind);
   }
 
   /** Three planes crossed within a few roundings of each other, one voxel at the corner solid. */
@@ -207,8 +256,29 @@ class ExactRayCasterTest {
       assertTrue(bits.get(hit.i, hit.j, hit.k), () -> what + " hit an empty voxel");
       assertTrue(ExactOracle.touches(ray, hit.i, hit.j, hit.k), () -> what + " hit is not touched");
       assertEquals(expected, hit.t, 1e-13, () -> what + " " + ray);
+      assertEntersThroughAFaceOfItsAxis(ray, what);
     }
     return found;
+  }
+
+  /** The start lies before the face or on it; without an axis, it touches the voxel. */
+  private void assertEntersThroughAFaceOfItsAxis(Ray ray, String what) {
+    String message = what + " " + ray + " axis " + hit.axis;
+    double[] from = {ray.fromX, ray.fromY, ray.fromZ};
+    double[] to = {ray.toX, ray.toY, ray.toZ};
+    if (hit.axis == RayHit.NO_AXIS) {
+      assertTrue(ExactOracle.touches(resting(ray), hit.i, hit.j, hit.k), message);
+      assertEquals(0, hit.t, message);
+      return;
+    }
+    double delta = to[hit.axis] - from[hit.axis];
+    double face = hit.cell(hit.axis) + (delta > 0 ? 0 : 1);
+    assertTrue(delta > 0 ? from[hit.axis] <= face : from[hit.axis] >= face, message);
+    assertEquals((face - from[hit.axis]) / delta, hit.t, 1e-13, message);
+  }
+
+  private static Ray resting(Ray ray) {
+    return new Ray().from(ray.fromX, ray.fromY, ray.fromZ).to(ray.fromX, ray.fromY, ray.fromZ);
   }
 
   private static BitCube randomCube(SplittableRandom random) {
