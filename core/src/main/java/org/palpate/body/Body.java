@@ -35,7 +35,14 @@ public final class Body {
   private long edits;
   private long motions;
 
-  /** Creates a body at its rest position. */
+  /**
+   * Creates a body at its rest position.
+   *
+   * @param name the name, unique in its scene
+   * @param bits the voxels, on the grid; kept
+   * @param grid the grid at rest
+   * @param mobility how the body can move
+   */
   public Body(String name, BitCube bits, VoxelGrid grid, Mobility mobility) {
     this.name = name;
     this.bits = bits;
@@ -50,45 +57,46 @@ public final class Body {
     setPose(pose);
   }
 
-  /** Returns the name, unique in its scene. */
+  /** {@return the name, unique in its scene} */
   public String name() {
     return name;
   }
 
-  /** Returns the voxels. */
+  /** {@return the voxels} */
   public BitCube bits() {
     return bits;
   }
 
-  /** Returns the grid, at rest. */
+  /** {@return the grid, at rest} */
   public VoxelGrid grid() {
     return grid;
   }
 
-  /** Returns the metric of the grid. */
+  /** {@return the metric of the grid} */
   public GridMetric metric() {
     return metric;
   }
 
-  /** Returns how the body can move. */
+  /** {@return how the body can move} */
   public Mobility mobility() {
     return mobility;
   }
 
-  /** Returns lower bounds of the distance to the voxels, grid coordinates. */
+  /** {@return lower bounds of the distance to the voxels, grid coordinates} */
   public BrickClearance clearance() {
     return clearance;
   }
 
-  /** Returns the pose, from rest to present, world mm; not to be written. */
+  /** {@return the pose, from rest to present, world mm; not to be written} */
   public Pose pose() {
     return pose;
   }
 
   /**
-   * Sets the pose, from rest to present, world mm. A tool that was placed among bodies refuses to
-   * go on after a body moved, until it is placed again.
+   * Sets the pose. A tool that was placed among bodies refuses to go on after a body moved, until
+   * it is placed again.
    *
+   * @param newPose from rest to present, world mm; copied
    * @throws IllegalArgumentException if the pose is not finite or the norm of its quaternion is not
    *     1
    */
@@ -102,7 +110,7 @@ public final class Body {
     restToGrid.multiply(scratch.setInverse(pose), worldToGrid);
   }
 
-  /** Returns the number of times that the pose was set, so that others notice a motion. */
+  /** {@return the number of times that the pose was set, so that others notice a motion} */
   public long motions() {
     return motions;
   }
@@ -110,6 +118,10 @@ public final class Body {
   /**
    * Writes the map from a tool's frame, mm, to the body's grid coordinates. The same two poses give
    * the same bits.
+   *
+   * @param tool from the tool's frame to the world, mm
+   * @param dest receives the map
+   * @return {@code dest}
    */
   public AffineMap toolToGrid(Pose tool, AffineMap dest) {
     return worldToGrid.multiply(scratch.set(tool), dest);
@@ -120,25 +132,34 @@ public final class Body {
    * pose. At the present pose it gives the same bits as {@link #toolToGrid(Pose, AffineMap)}.
    *
    * @param bodyPose rest to present, world mm
+   * @param tool from the tool's frame to the world, mm
+   * @param dest receives the map
+   * @return {@code dest}
    */
   public AffineMap toolToGrid(Pose bodyPose, Pose tool, AffineMap dest) {
     restToGrid.multiply(scratch.setInverse(bodyPose), otherToGrid);
     return otherToGrid.multiply(scratch.set(tool), dest);
   }
 
-  /** Writes the world direction of a direction along the axes of the grid, both in mm. */
+  /**
+   * Writes the world direction of a direction along the axes of the grid.
+   *
+   * @param alongAxes the direction along the axes of the grid, mm
+   * @param dest receives the direction in the world, as long; may be {@code alongAxes}
+   * @return {@code dest}
+   */
   public Vec3 gridDirectionToWorld(Vec3 alongAxes, Vec3 dest) {
     grid.gridMmToWorld().rotate(alongAxes, direction);
     return pose.rotation.rotate(direction, dest);
   }
 
-  /** Returns the number of edits of the voxels, so that others notice an edit. */
+  /** {@return the number of edits of the voxels, so that others notice an edit} */
   public long edits() {
     return edits;
   }
 
   /**
-   * Returns the box of voxels that an edit may have changed; not to be written. For an edit long
+   * {@return the box of voxels that an edit may have changed; not to be written} For an edit long
    * ago it is the box of the whole grid.
    *
    * @param edit the number of the edit: from 0 to {@link #edits} - 1
@@ -157,6 +178,7 @@ public final class Body {
    * Grows a box so that it contains all voxels that edits may have changed.
    *
    * @param seen the number of edits before the first of them
+   * @param dest the box of voxels to grow
    */
   public void includeChanges(long seen, IntBox dest) {
     for (long edit = Math.max(seen, oldestEdit() - 1); edit < edits; edit++) {
@@ -164,12 +186,16 @@ public final class Body {
     }
   }
 
-  /** Returns the number of the oldest edit whose box is remembered. */
+  /** {@return the number of the oldest edit whose box is remembered} */
   public long oldestEdit() {
     return Math.max(0, edits - REMEMBERED_EDITS);
   }
 
-  /** Records an edit: voxels in a box were added or removed. */
+  /**
+   * Records an edit: voxels in a box were added or removed.
+   *
+   * @param box holds every voxel that changed; copied
+   */
   public void voxelsChanged(IntBox box) {
     changes[(int) (edits++ % REMEMBERED_EDITS)].set(box);
     clearance.solidsAdded(box);

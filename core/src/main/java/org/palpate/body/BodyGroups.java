@@ -12,7 +12,11 @@ public final class BodyGroups {
     this.locked = locked;
   }
 
-  /** Returns groups in which each of a number of bodies moves alone and none is locked. */
+  /**
+   * {@return groups in which each of a number of bodies moves alone and none is locked}
+   *
+   * @param bodies the number of bodies
+   */
   public static BodyGroups none(int bodies) {
     int[] first = new int[bodies];
     for (int n = 0; n < bodies; n++) {
@@ -21,12 +25,21 @@ public final class BodyGroups {
     return new BodyGroups(first, new boolean[bodies]);
   }
 
-  /** Whether two bodies move together; each does with itself. */
+  /**
+   * {@return whether two bodies move together; each does with itself}
+   *
+   * @param one the index of a body in the scene
+   * @param other the index of a body, perhaps the same
+   */
   public boolean moveTogether(int one, int other) {
     return first[one] == first[other];
   }
 
-  /** Returns the number of bodies that move together with one, at least 1. */
+  /**
+   * {@return the number of bodies that move together with one, at least 1}
+   *
+   * @param body the index of a body in the scene
+   */
   public int size(int body) {
     int size = 0;
     for (int n = 0; n < first.length; n++) {
@@ -35,7 +48,12 @@ public final class BodyGroups {
     return size;
   }
 
-  /** Whether a body, or one that moves together with it, is locked, so that no hand takes it. */
+  /**
+   * {@return whether a body, or one that moves together with it, is locked, so that no hand takes
+   * it}
+   *
+   * @param body the index of a body in the scene
+   */
   public boolean isLocked(int body) {
     for (int n = 0; n < first.length; n++) {
       if (locked[n] && moveTogether(body, n)) {
@@ -46,8 +64,11 @@ public final class BodyGroups {
   }
 
   /**
-   * Returns groups in which a body and all bodies that move together with it are locked, or
-   * unlocked.
+   * {@return groups in which a body and all bodies that move together with it are locked, or
+   * unlocked}
+   *
+   * @param body the index of a body in the scene
+   * @param isLocked whether no hand takes them from now on
    */
   public BodyGroups withLock(int body, boolean isLocked) {
     boolean[] changed = locked.clone();
@@ -57,7 +78,12 @@ public final class BodyGroups {
     return new BodyGroups(first, changed);
   }
 
-  /** Returns groups in which the group of one body is merged with that of another. */
+  /**
+   * {@return groups in which the group of one body is merged with that of another}
+   *
+   * @param one the index of a body in the scene
+   * @param other the index of another body
+   */
   public BodyGroups bound(int one, int other) {
     int joint = Math.min(first[one], first[other]);
     int[] changed = first.clone();
@@ -67,7 +93,11 @@ public final class BodyGroups {
     return new BodyGroups(changed, locked);
   }
 
-  /** Returns groups in which a body moves alone. */
+  /**
+   * {@return groups in which a body moves alone}
+   *
+   * @param body the index of the body in the scene
+   */
   public BodyGroups alone(int body) {
     int heir = -1;
     int[] changed = first.clone();

@@ -15,6 +15,7 @@ public interface BodyListener {
    * Receives an event after it happened.
    *
    * @param body index of the body in its scene
+   * @param event what happened to the body
    * @param pose the body's pose as committed, from rest to present, world mm; not to be kept
    * @param inHand the pose of the body's reference point relative to the device, constant from
    *     {@link BodyEvent#TAKEN} on as long as it is held; of no meaning for other events

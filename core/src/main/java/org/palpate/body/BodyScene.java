@@ -15,6 +15,7 @@ public final class BodyScene {
   /**
    * Creates a scene of at least one body.
    *
+   * @param bodies in the order of their indices; the list is copied
    * @throws IllegalArgumentException if there is no body
    */
   public BodyScene(List<Body> bodies) {
@@ -32,22 +33,26 @@ public final class BodyScene {
     shortestEdgeMm = shortest;
   }
 
-  /** Returns the pose of each body; it follows the body and is not to be written. */
+  /** {@return the pose of each body; it follows the body and is not to be written} */
   public List<Pose> poses() {
     return poses;
   }
 
-  /** Returns the number of bodies. */
+  /** {@return the number of bodies} */
   public int count() {
     return bodies.length;
   }
 
-  /** Returns a body by its index. */
+  /**
+   * {@return a body}
+   *
+   * @param index the index of the body, from 0 to {@link #count} - 1
+   */
   public Body body(int index) {
     return bodies[index];
   }
 
-  /** Returns the grid of each body. */
+  /** {@return the grid of each body} */
   public List<VoxelGrid> grids() {
     List<VoxelGrid> grids = new ArrayList<>();
     for (Body body : bodies) {
@@ -56,7 +61,7 @@ public final class BodyScene {
     return grids;
   }
 
-  /** Returns the voxels of each body; not copied. */
+  /** {@return the voxels of each body; not copied} */
   public List<BitCube> cubes() {
     List<BitCube> cubes = new ArrayList<>();
     for (Body body : bodies) {
@@ -65,7 +70,7 @@ public final class BodyScene {
     return cubes;
   }
 
-  /** Returns the number of times that the pose of any body was set. */
+  /** {@return the number of times that the pose of any body was set} */
   public long motions() {
     long sum = 0;
     for (Body body : bodies) {
@@ -74,7 +79,7 @@ public final class BodyScene {
     return sum;
   }
 
-  /** Returns the number of edits of all bodies. */
+  /** {@return the number of edits of all bodies} */
   public long edits() {
     long sum = 0;
     for (Body body : bodies) {
@@ -83,7 +88,7 @@ public final class BodyScene {
     return sum;
   }
 
-  /** Returns the shortest voxel edge of all bodies, mm. */
+  /** {@return the shortest voxel edge of all bodies, mm} */
   public double shortestEdgeMm() {
     return shortestEdgeMm;
   }

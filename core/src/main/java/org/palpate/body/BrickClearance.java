@@ -27,7 +27,11 @@ public final class BrickClearance {
   private final int bricksY;
   private final int bricksZ;
 
-  /** Measures all bricks of a cube that the caller keeps. */
+  /**
+   * Measures all bricks of a cube that the caller keeps.
+   *
+   * @param bits the voxels; later additions are to be reported
+   */
   public BrickClearance(BitCube bits) {
     this.bits = bits;
     bricksX = bits.bricksX();
@@ -94,6 +98,8 @@ public final class BrickClearance {
   /**
    * Lowers the bounds for voxels that became solid anywhere in a box of voxels. Cost: about 5,000
    * bricks for each brick of the box that is not empty.
+   *
+   * @param box the box of voxels; may reach beyond the cube
    */
   public void solidsAdded(IntBox box) {
     if (box.isEmpty()) {
@@ -124,9 +130,11 @@ public final class BrickClearance {
   }
 
   /**
-   * Returns half the edge, in voxels, of an open cube around the point that no solid voxel reaches.
+   * {@return half the edge, in voxels, of an open cube around a point that no solid voxel reaches}
    *
-   * @param x the point, grid coordinates, finite, as are y and z
+   * @param x the point along x, grid coordinates, finite
+   * @param y its y component
+   * @param z its z component
    */
   public double at(double x, double y, double z) {
     double insideX = clamp(x, bricksX * BRICK_EDGE);

@@ -54,7 +54,11 @@ public final class EmptyCubes {
   /** 1 more than the number of times that all was forgotten; part of a brick's number. */
   private long age = 1;
 
-  /** Creates an empty cache for a bit cube that the caller keeps. */
+  /**
+   * Creates an empty cache for a bit cube that the caller keeps.
+   *
+   * @param bits the voxels; after an edit, call {@link #forget}
+   */
   public EmptyCubes(BitCube bits) {
     this.bits = bits;
     bricksX = bits.bricksX();
@@ -73,8 +77,12 @@ public final class EmptyCubes {
   }
 
   /**
-   * Returns half the edge of an empty cube around a point, voxels: 0 if none is found, else from
-   * 0.5 to {@link #LARGEST_HALF_EDGE}.
+   * {@return half the edge of an empty cube around a point, voxels: 0 if none is found, else from
+   * 0.5 to {@link #LARGEST_HALF_EDGE}}
+   *
+   * @param x the point along x, grid coordinates
+   * @param y its y component
+   * @param z its z component
    */
   public double around(double x, double y, double z) {
     if (!BitCube.hasWindow(x) || !BitCube.hasWindow(y) || !BitCube.hasWindow(z)) {

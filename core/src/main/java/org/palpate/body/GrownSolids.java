@@ -44,6 +44,8 @@ public final class GrownSolids {
   /**
    * Grows all solids of a cube that the caller keeps.
    *
+   * @param bits the solids of the body; after an edit, call {@link #update}
+   * @param metric the edges of a voxel
    * @param growthMm the distance, mm, positive
    * @param longestCellMm edges of cells are at most this long, mm, as far as {@link #LARGEST_PARTS}
    *     cells to a voxel allow
@@ -83,8 +85,13 @@ public final class GrownSolids {
   }
 
   /**
-   * Returns the memory that grown solids with these settings take, bytes; may exceed the free
-   * memory.
+   * {@return the memory that grown solids with these settings take, bytes; may exceed the free
+   * memory}
+   *
+   * @param bits the solids of the body
+   * @param metric the edges of a voxel
+   * @param growthMm the distance, mm, positive
+   * @param longestCellMm edges of cells are at most this long, mm
    */
   public static double bytesFor(
       BitCube bits, GridMetric metric, double growthMm, double longestCellMm) {
@@ -101,6 +108,7 @@ public final class GrownSolids {
    * themselves.
    *
    * @param solids solid voxels
+   * @param metric the edges of a voxel
    * @param marginMm the distance, mm; at least 0
    * @param dest a cube of the same size
    */
@@ -137,33 +145,41 @@ public final class GrownSolids {
     return (reach + parts - 1) / parts;
   }
 
-  /** Returns the grown solids; each voxel of this cube is a cell. */
+  /** {@return the grown solids; each voxel of this cube is a cell} */
   public BitCube cells() {
     return cells;
   }
 
-  /** Returns the number of cells along the edge of a voxel, for an axis: 0 is x. */
+  /**
+   * {@return the number of cells along the edge of a voxel, for an axis}
+   *
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public int parts(int axis) {
     return axis == 0 ? partsX : axis == 1 ? partsY : partsZ;
   }
 
-  /** Returns the edge of a cell along an axis, mm: 0 is x. */
+  /**
+   * {@return the edge of a cell along an axis, mm}
+   *
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public double cellMm(int axis) {
     return axis == 0 ? cellX : axis == 1 ? cellY : cellZ;
   }
 
-  /** Returns the number of voxels by which the grid of the cells begins before the body's grid. */
+  /** {@return the number of voxels by which the grid of the cells begins before the body's grid} */
   public int padVoxels() {
     return pad;
   }
 
-  /** Returns the growth, mm. */
+  /** {@return the growth, mm} */
   public double growthMm() {
     return growthMm;
   }
 
   /**
-   * Returns the length by which a grown voxel reaches beyond the voxel along a direction, mm. This
+   * {@return the length by which a grown voxel reaches beyond the voxel along a direction, mm} This
    * is the support function of the growth.
    *
    * @param normal unit, along the axes of the grid in mm
@@ -185,7 +201,12 @@ public final class GrownSolids {
     return most;
   }
 
-  /** Returns a coordinate of the body's grid in the grid of the cells, along an axis: 0 is x. */
+  /**
+   * {@return a coordinate of the body's grid in the grid of the cells}
+   *
+   * @param voxels the coordinate in the body's grid
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public double toCells(double voxels, int axis) {
     return (voxels + pad) * parts(axis);
   }
@@ -193,6 +214,7 @@ public final class GrownSolids {
   /**
    * Restores the invariant after voxels in a box were added or removed.
    *
+   * @param changed the box of voxels, perhaps empty
    * @return the box of cells that may have changed; owned by this, overwritten by the next call
    */
   public IntBox update(IntBox changed) {
@@ -257,16 +279,23 @@ public final class GrownSolids {
   }
 
   /**
-   * Returns the lowest voxel, along an axis, that may be nearer to a cell than the growth; it may
-   * lie outside the grid.
+   * {@return the lowest voxel, along an axis, that may be nearer to a cell than the growth; it may
+   * lie outside the grid}
    *
-   * @param axis 0 is x
+   * @param cell the number of the cell along the axis
+   * @param axis 0 for x, 1 for y, 2 for z
    */
   public int lowestVoxel(int cell, int axis) {
     return Math.floorDiv(cell - reach(axis), parts(axis)) - pad;
   }
 
-  /** Returns the highest such voxel; see {@link #lowestVoxel}. */
+  /**
+   * {@return the highest voxel, along an axis, that may be nearer to a cell than the growth; it may
+   * lie outside the grid}
+   *
+   * @param cell the number of the cell along the axis
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public int highestVoxel(int cell, int axis) {
     return Math.floorDiv(cell + reach(axis), parts(axis)) - pad;
   }
@@ -275,7 +304,16 @@ public final class GrownSolids {
     return axis == 0 ? reachX : axis == 1 ? reachY : reachZ;
   }
 
-  /** Whether voxel (i,j,k) is nearer to cell (a,b,c) than the growth, so that it makes it solid. */
+  /**
+   * {@return whether a voxel is nearer to a cell than the growth, so that it makes the cell solid}
+   *
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   * @param a the cell's number along x
+   * @param b its number along y
+   * @param c its number along z
+   */
   public boolean reaches(int i, int j, int k, int a, int b, int c) {
     double gapX = cellX * gap(a, firstCell(i, partsX), partsX);
     return gapX * gapX < leftSquare(b, firstCell(j, partsY), c, firstCell(k, partsZ));

@@ -13,7 +13,11 @@ import org.palpate.geometry.RigidTransform;
  */
 public record Placement(Mobility mobility, Pose pose) {
 
-  /** Returns the pose of each body as a transform, from rest to present, world mm. */
+  /**
+   * {@return the pose of each body as a transform, from rest to present, world mm}
+   *
+   * @param placements one for each body, in the order of the scene
+   */
   public static List<RigidTransform> transforms(List<Placement> placements) {
     List<RigidTransform> transforms = new ArrayList<>();
     for (Placement placement : placements) {
@@ -22,7 +26,7 @@ public record Placement(Mobility mobility, Pose pose) {
     return transforms;
   }
 
-  /** Whether the body is fixed where it rests. */
+  /** {@return whether the body is fixed where it rests} */
   public boolean isAtRest() {
     return mobility == Mobility.FIXED && pose.sameBits(new Pose());
   }

@@ -29,7 +29,11 @@ public record CarveSettings(
     leastNewtons = List.copyOf(leastNewtons);
   }
 
-  /** Returns settings by which any force cuts every voxel. */
+  /**
+   * {@return settings by which any force cuts every voxel}
+   *
+   * @param mm3PerNewtonSecond volume removed per newton and second, mm^3/(N s), above 0
+   */
   public static CarveSettings ofRate(double mm3PerNewtonSecond) {
     return new CarveSettings(mm3PerNewtonSecond, List.of(), null);
   }

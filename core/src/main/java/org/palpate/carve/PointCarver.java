@@ -29,6 +29,9 @@ public final class PointCarver {
   /**
    * Creates a carver.
    *
+   * @param settings the rate, and what must not be cut
+   * @param scene the voxels of all segments, on one grid
+   * @param metric the edges of a voxel of that grid
    * @param segments number of segments of the scene
    * @param out removes the voxels
    */

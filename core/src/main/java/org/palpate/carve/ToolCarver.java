@@ -20,7 +20,9 @@ public final class ToolCarver {
   /**
    * Creates a carver.
    *
+   * @param settings the rate, and what must not be cut
    * @param bodies the bodies, each of which is the segment of {@code out} with the same index
+   * @param blocking finds the voxels that keep the tool from its device pose
    * @param out removes the voxels
    */
   public ToolCarver(

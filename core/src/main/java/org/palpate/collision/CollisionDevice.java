@@ -18,22 +18,23 @@ public interface CollisionDevice extends AutoCloseable {
   CollisionDevice CPU = new CpuCollisionDevice();
 
   /**
-   * Hands voxels to the device and returns them as the device keeps them. Allocates.
+   * Hands voxels to the device. Allocates.
    *
    * @param voxels the caller reports changes by {@link DeviceVoxels#voxelsChanged}
+   * @return the voxels as the device keeps them
    */
   DeviceVoxels keep(BitCube voxels);
 
-  /** Returns the name for people. */
+  /** {@return the name for people} */
   String name();
 
   /**
-   * Returns why the device judges nothing any more; empty while it works. The CPU then does its
+   * {@return why the device judges nothing any more; empty while it works} The CPU then does its
    * work.
    */
   Optional<String> failure();
 
-  /** Returns the number of batches that the device has judged, each in one launch. */
+  /** {@return the number of batches that the device has judged, each in one launch} */
   long batches();
 
   /** Frees the device's memory unless a call hangs in it. It judges nothing afterwards. */

@@ -87,12 +87,22 @@ public final class CollisionScene {
     return broadPhase == null ? 0 : broadPhase.searches();
   }
 
-  /** Adds the number of cubes that queries left out to {@code dest}. */
+  /**
+   * Adds the number of cubes that queries left out to other counters.
+   *
+   * @param dest receives the count
+   */
   public void addSkips(SkipCounters dest) {
     dest.add(SkipKind.FAR_OBJECTS, broadPhase == null ? 0 : broadPhase.skippedCubes());
   }
 
-  /** Whether voxel (i,j,k) is solid in any cube. */
+  /**
+   * {@return whether a voxel is solid in any cube}
+   *
+   * @param i the voxel's number along x; one outside the grid is empty
+   * @param j its number along y
+   * @param k its number along z
+   */
   public boolean isSolid(int i, int j, int k) {
     int count = findCandidates(i, j, k, i, j, k);
     for (int n = 0; n < count; n++) {
@@ -104,8 +114,12 @@ public final class CollisionScene {
   }
 
   /**
-   * Returns the index of the object whose voxel (i,j,k) is solid: the first of several, or -1 if
-   * there is none.
+   * {@return the index of the object that has a solid voxel: the first of several, or -1 if there
+   * is none}
+   *
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
    */
   public int objectAt(int i, int j, int k) {
     int count = findCandidates(i, j, k, i, j, k);
@@ -118,8 +132,12 @@ public final class CollisionScene {
   }
 
   /**
-   * Whether a point touches a closed solid voxel: lies in it or on its face, edge or corner. Exact.
-   * False if a coordinate is NaN, infinite or beyond the numbers of voxels.
+   * {@return whether a point touches a closed solid voxel: lies in it or on its face, edge or
+   * corner} Exact. False if a coordinate is NaN, infinite or beyond the numbers of voxels.
+   *
+   * @param x the point along x, grid coordinates
+   * @param y its y component
+   * @param z its z component
    */
   public boolean touches(double x, double y, double z) {
     if (!(hasCell(x) && hasCell(y) && hasCell(z))) {
@@ -150,9 +168,11 @@ public final class CollisionScene {
   }
 
   /**
-   * Returns the solid voxels of a brick as the bits of a word, see {@link BitCube#brick}.
+   * {@return the solid voxels of a brick as the bits of a word, see {@link BitCube#brick}}
    *
    * @param brickX brick coordinates: voxel coordinates shifted right by {@link BitCube#BRICK_SHIFT}
+   * @param brickY the same along y
+   * @param brickZ the same along z
    */
   public long brick(int brickX, int brickY, int brickZ) {
     if (cubes.length == 1) {
@@ -167,8 +187,12 @@ public final class CollisionScene {
   }
 
   /**
-   * Returns the solid voxels among the 4x4x4 whose lowest is (i,j,k) as the bits of a word, see
-   * {@link BitCube#window}.
+   * {@return the solid voxels among the 4x4x4 from a lowest one on as the bits of a word, see
+   * {@link BitCube#window}}
+   *
+   * @param i the number of the lowest voxel along x
+   * @param j its number along y
+   * @param k its number along z
    */
   public long window(int i, int j, int k) {
     int count = findCandidatesOfWindow(i, j, k);
@@ -236,7 +260,11 @@ public final class CollisionScene {
         : broadPhase.find(lowX, lowY, lowZ, highX, highY, highZ);
   }
 
-  /** Writes a box that holds every solid voxel of all cubes into {@code dest}. */
+  /**
+   * Writes a box that holds every solid voxel of all cubes.
+   *
+   * @param dest receives the box; empty if there is none
+   */
   public void bounds(IntBox dest) {
     dest.clear();
     for (BitCube cube : cubes) {
@@ -245,7 +273,7 @@ public final class CollisionScene {
   }
 
   /**
-   * Returns the cube of an object for editing. From now on every query looks at it, because its
+   * {@return the cube of an object for editing} From now on every query looks at it, because its
    * bounds may grow.
    *
    * @param index the object, in the order in which the cubes were given
@@ -258,6 +286,8 @@ public final class CollisionScene {
   /**
    * Replaces the cube of an object by one of the same sizes.
    *
+   * @param index the index of the object in the scene
+   * @param fresh the new cube; the scene owns it from now on
    * @return the replaced cube, which is the caller's from now on
    */
   public BitCube replace(int index, BitCube fresh) {

@@ -12,6 +12,10 @@ public interface DeviceVoxels {
    */
   void voxelsChanged(IntBox box);
 
-  /** Returns a batch that judges the legs of points against these voxels. Allocates. */
+  /**
+   * {@return a batch that judges the legs of points against these voxels} Allocates.
+   *
+   * @param points the points whose legs are judged, in the frame that a motion's maps lead from
+   */
   LegBatch newBatch(PointSet points);
 }

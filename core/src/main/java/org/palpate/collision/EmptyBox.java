@@ -14,7 +14,17 @@ public final class EmptyBox {
 
   private EmptyBox() {}
 
-  /** Whether the bounding box of a segment is short and touches no closed solid voxel. */
+  /**
+   * {@return whether the bounding box of a segment is short and touches no closed solid voxel}
+   *
+   * @param bits the voxels
+   * @param x0 one end of the segment along x, grid coordinates
+   * @param y0 its y component
+   * @param z0 its z component
+   * @param x1 the other end along x
+   * @param y1 its y component
+   * @param z1 its z component
+   */
   public static boolean holds(
       BitCube bits, double x0, double y0, double z0, double x1, double y1, double z1) {
     if (!isNear(x0, y0, z0) || !isNear(x1, y1, z1)) {

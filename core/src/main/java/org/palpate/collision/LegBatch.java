@@ -10,14 +10,14 @@ public interface LegBatch {
   long NEVER = Long.MAX_VALUE;
 
   /**
-   * Returns the number of legs of a motion from which this batch is faster than judging each by
-   * itself, as far as was measured.
+   * {@return the number of legs of a motion from which this batch is faster than judging each by
+   * itself, as far as was measured}
    */
   long crossover();
 
   /**
-   * Returns the number of motions that take little longer together than one alone, as far as was
-   * measured: from 1 to {@link MotionGroup#CAPACITY}.
+   * {@return the number of motions that take little longer together than one alone, as far as was
+   * measured: from 1 to {@link MotionGroup#CAPACITY}}
    */
   int motionsAtOnce();
 
@@ -25,17 +25,25 @@ public interface LegBatch {
    * Judges the leg of each point in each motion. Motions are between grid coordinates of the
    * voxels.
    *
+   * @param motions the maps from the frame of the points to grid coordinates
    * @return whether there are verdicts; false if the device has failed
    */
   boolean judge(MotionGroup motions);
 
-  /** Returns the verdict on the leg of a point in a motion by the last call of {@link #judge}. */
+  /**
+   * {@return the verdict on the leg of a point in a motion by the last call of {@link #judge}}
+   *
+   * @param motion the index of the motion in the group that was judged
+   * @param point the index of the point
+   */
   LegVerdict verdict(int motion, int point);
 
   /**
-   * Returns half the edge, voxels, of a closed cube that touches no solid voxel. It lies around the
-   * point where the motions of the last call of {@link #judge} start. At least 0; a device need not
-   * find the largest.
+   * {@return half the edge, voxels, of a closed cube that touches no solid voxel} It lies around
+   * the point where the motions of the last call of {@link #judge} start. At least 0; a device need
+   * not find the largest.
+   *
+   * @param point the index of the point
    */
   double emptyAround(int point);
 }

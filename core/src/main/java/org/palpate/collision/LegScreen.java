@@ -21,12 +21,16 @@ public final class LegScreen {
   private long remaining;
   private int motion = MotionGroup.NONE;
 
-  /** Creates a screen that has seen no motion yet. */
+  /**
+   * Creates a screen that has seen no motion yet.
+   *
+   * @param batch judges legs in launches; belongs to the screen from now on
+   */
   public LegScreen(LegBatch batch) {
     this.batch = batch;
   }
 
-  /** Whether it pays to announce motions. */
+  /** {@return whether it pays to announce motions} */
   public boolean takesAnnouncements() {
     return batch.motionsAtOnce() > 1;
   }
@@ -34,6 +38,8 @@ public final class LegScreen {
   /**
    * Announces a motion that may begin soon. Too many are left out.
    *
+   * @param from from the frame of the points to grid coordinates, at the start
+   * @param to the same at the end
    * @param first whether to forget those that were announced before
    */
   public void announce(AffineMap from, AffineMap to, boolean first) {
@@ -48,6 +54,8 @@ public final class LegScreen {
   /**
    * Begins a motion, and judges its legs in a batch if that is expected to be faster.
    *
+   * @param from from the frame of the points to grid coordinates, at the start
+   * @param to the same at the end
    * @param version changes with the voxels
    */
   public void begin(AffineMap from, AffineMap to, long version) {
@@ -74,14 +82,20 @@ public final class LegScreen {
     }
   }
 
-  /** Whether the leg of a point is known to be free. */
+  /**
+   * {@return whether the leg of a point is known to be free}
+   *
+   * @param point the index of the point
+   */
   public boolean isFree(int point) {
     return motion != MotionGroup.NONE && batch.verdict(motion, point) == LegVerdict.FREE;
   }
 
   /**
-   * Returns half the edge of an empty cube around the start of a leg that is known to be free; see
-   * {@link LegBatch#emptyAround}.
+   * {@return half the edge of an empty cube around the start of a leg that is known to be free; see
+   * {@link LegBatch#emptyAround}}
+   *
+   * @param point the index of the point
    */
   public double emptyAround(int point) {
     return batch.emptyAround(point);

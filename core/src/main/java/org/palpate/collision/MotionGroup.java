@@ -25,33 +25,50 @@ public final class MotionGroup {
     }
   }
 
-  /** Begins anew, without motions. */
+  /**
+   * Begins anew, without motions.
+   *
+   * @param newFrom the map at the start of all motions; copied
+   */
   public void begin(AffineMap newFrom) {
     from.set(newFrom);
     count = 0;
   }
 
-  /** Adds the motion to the image under a map. There must be room. */
+  /**
+   * Adds a motion. There must be room.
+   *
+   * @param newTo the map at its end; copied
+   */
   public void add(AffineMap newTo) {
     to[count++].set(newTo);
   }
 
-  /** Returns the number of motions. */
+  /** {@return the number of motions} */
   public int count() {
     return count;
   }
 
-  /** Returns the map at the start of all motions; not to be written. */
+  /** {@return the map at the start of all motions; not to be written} */
   public AffineMap from() {
     return from;
   }
 
-  /** Returns the map at the end of a motion; not to be written. */
+  /**
+   * {@return the map at the end of a motion; not to be written}
+   *
+   * @param motion the index of the motion, from 0
+   */
   public AffineMap to(int motion) {
     return to[motion];
   }
 
-  /** Returns the index of the motion between two maps of the same bits; {@link #NONE} if none. */
+  /**
+   * {@return the index of the motion between two maps; {@link #NONE} if none}
+   *
+   * @param ofFrom the map at its start, compared bit for bit
+   * @param ofTo the map at its end, likewise
+   */
   public int indexOf(AffineMap ofFrom, AffineMap ofTo) {
     for (int n = 0; n < count && from.sameBits(ofFrom); n++) {
       if (to[n].sameBits(ofTo)) {
@@ -61,7 +78,11 @@ public final class MotionGroup {
     return NONE;
   }
 
-  /** Copies another group. */
+  /**
+   * Copies another group.
+   *
+   * @param other the group to copy
+   */
   public void set(MotionGroup other) {
     begin(other.from);
     for (int n = 0; n < other.count; n++) {

@@ -64,7 +64,12 @@ public final class MovingBoundsTree {
     free = capacity;
   }
 
-  /** Sets the box of an item, which is not empty. */
+  /**
+   * Sets the box of an item.
+   *
+   * @param item the number of the item, from 0
+   * @param box its box, world mm, not empty; copied
+   */
   public void put(int item, WorldBox box) {
     boxes[item].set(box);
     if (!bounds[item].contains(box)) {
@@ -77,6 +82,7 @@ public final class MovingBoundsTree {
   /**
    * Finds the items whose boxes meet a box.
    *
+   * @param query the box, world mm
    * @param found the bit of each item that is found is set: item 64 m + n has bit n of word m
    */
   public void find(WorldBox query, long[] found) {

@@ -30,7 +30,11 @@ public final class NearestFreeVoxel {
   private int bestJ;
   private int bestK;
 
-  /** Creates a search that measures distances by {@code metric}. */
+  /**
+   * Creates a search.
+   *
+   * @param metric the edges of a voxel, by which distances are measured
+   */
   public NearestFreeVoxel(GridMetric metric) {
     this.metric = metric;
     shortestSpacing = metric.shortestEdgeMm();

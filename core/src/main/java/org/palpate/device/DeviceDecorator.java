@@ -10,7 +10,11 @@ public abstract class DeviceDecorator implements HapticDevice {
   /** The device behind this one. */
   protected final HapticDevice device;
 
-  /** Makes a decorator of {@code device}, which it closes when it is closed itself. */
+  /**
+   * Makes a decorator of another device, which it closes when it is closed itself.
+   *
+   * @param device receives every call that the subclass does not change
+   */
   protected DeviceDecorator(HapticDevice device) {
     this.device = device;
   }

@@ -27,7 +27,18 @@ public record DeviceSpecification(
   /** Fraction of the largest stiffness that leaves a margin for grips and for other masses. */
   private static final double DEFAULT_STIFFNESS_FRACTION = 0.5;
 
-  /** Makes the specification of a device that has neither orientation nor torque. */
+  /**
+   * Makes the specification of a device that has neither orientation nor torque.
+   *
+   * @param name name for the user
+   * @param serial distinguishes two devices of a kind; empty if the device has none
+   * @param maxForceNewton nominal maximum; 0 for a device without force, infinity for one without a
+   *     limit
+   * @param maxStiffnessNewtonPerMm largest stiffness that the device renders stably, N per mm of
+   *     its own motion
+   * @param workspaceRadiusMm radius of the ball that the probe reaches
+   * @param reportIntervalNanos usual time between samples; 0 if every read is a sample
+   */
   public DeviceSpecification(
       String name,
       String serial,
@@ -46,7 +57,7 @@ public record DeviceSpecification(
         0);
   }
 
-  /** Returns half of the largest stiffness, with which contact is stable, N/mm. */
+  /** {@return half of the largest stiffness, with which contact is stable, N/mm} */
   public double defaultStiffnessNewtonPerMm() {
     return DEFAULT_STIFFNESS_FRACTION * maxStiffnessNewtonPerMm;
   }

@@ -31,7 +31,12 @@ public final class DeviceState {
    */
   public boolean relocated;
 
-  /** Copies another state into this one. */
+  /**
+   * Copies another state.
+   *
+   * @param other the state to copy
+   * @return this state
+   */
   public DeviceState set(DeviceState other) {
     positionMm.set(other.positionMm);
     orientation.set(other.orientation);

@@ -88,6 +88,7 @@ public final class GuidedHand implements HapticDevice {
    * Creates a device whose hand is at the first stop.
    *
    * @param stops at least one
+   * @param tremor the shake that is added to the motion
    * @param radiusMm radius of the ball that the hand reaches
    * @param intervalNanos time between samples, positive
    * @throws IllegalArgumentException if there is no stop or the interval is not positive
@@ -255,12 +256,12 @@ public final class GuidedHand implements HapticDevice {
     return Math.max(Math.max(0, 1 - calm), Math.min(1, after));
   }
 
-  /** Whether the hand has rested at its last stop, where it stays. */
+  /** {@return whether the hand has rested at its last stop, where it stays} */
   public boolean hasArrived() {
     return isLeaving && heading >= stops.size();
   }
 
-  /** Returns the time after which the hand stays at its last stop if each try succeeds. */
+  /** {@return the time after which the hand stays at its last stop if each try succeeds} */
   public double durationSeconds() {
     double seconds = 0;
     int n = 0;

@@ -28,7 +28,14 @@ public record HandStop(
    */
   public record Aim(Supplier<Pose> seen, Pose goal, int tries, int otherwise) {}
 
-  /** Creates a stop at which the hand corrects nothing. */
+  /**
+   * Creates a stop at which the hand corrects nothing.
+   *
+   * @param pose where the hand holds the device, world mm; not to be written
+   * @param buttons the buttons that are pressed from the arrival on; bit 0 is the first
+   * @param restSeconds how long the hand stays
+   * @param isSteady whether the tremor dies away while the hand stays
+   */
   public HandStop(Pose pose, int buttons, double restSeconds, boolean isSteady) {
     this(pose, buttons, restSeconds, isSteady, Optional.empty(), 1);
   }

@@ -30,7 +30,13 @@ public record HandTarget(Vec3 lowMm, Vec3 highMm, double voxelMm, List<Vec3> sur
     }
   }
 
-  /** Returns a target without known points on its surface. */
+  /**
+   * {@return a target without known points on its surface}
+   *
+   * @param lowMm lowest corner of the box around the object to touch, world mm
+   * @param highMm highest corner
+   * @param voxelMm shortest edge of a voxel, the unit of the hand's depths and speeds
+   */
   public static HandTarget ofBox(Vec3 lowMm, Vec3 highMm, double voxelMm) {
     return new HandTarget(lowMm, highMm, voxelMm, List.of());
   }
@@ -40,7 +46,7 @@ public record HandTarget(Vec3 lowMm, Vec3 highMm, double voxelMm, List<Vec3> sur
     return new Vec3((lowMm.x + highMm.x) / 2, (lowMm.y + highMm.y) / 2, (lowMm.z + highMm.z) / 2);
   }
 
-  /** Returns half the diagonal of the box, but at least four voxels. */
+  /** {@return half the diagonal of the box, but at least four voxels} */
   public double radiusMm() {
     return Math.max(highMm.sub(lowMm, new Vec3()).length() / 2, 4 * voxelMm);
   }

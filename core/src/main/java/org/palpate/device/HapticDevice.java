@@ -10,7 +10,7 @@ import org.palpate.geometry.Vec3;
  */
 public interface HapticDevice extends AutoCloseable {
 
-  /** Returns the capabilities of the device. Any thread. */
+  /** {@return the capabilities of the device} Any thread. */
   DeviceSpecification specification();
 
   /**
@@ -31,7 +31,9 @@ public interface HapticDevice extends AutoCloseable {
    */
   boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm);
 
-  /** Returns one line on why the device delivers nothing more; empty while it works. Any thread. */
+  /**
+   * {@return one line on why the device delivers nothing more; empty while it works} Any thread.
+   */
   default String ending() {
     return "";
   }

@@ -13,9 +13,10 @@ public final class ReplayDevice implements HapticDevice {
   private volatile boolean closed;
 
   /**
-   * Makes a device that replays {@code trajectory}, which must not change any more.
+   * Makes a device that replays a trajectory.
    *
    * @param name name in reports
+   * @param trajectory must not change any more
    */
   public ReplayDevice(String name, Trajectory trajectory) {
     specification =

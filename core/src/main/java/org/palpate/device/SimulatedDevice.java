@@ -28,8 +28,10 @@ public final class SimulatedDevice implements HapticDevice {
   private volatile boolean closed;
 
   /**
-   * Makes a device of three degrees of freedom in a hand over {@code target}.
+   * Makes a device of three degrees of freedom in a hand over a target.
    *
+   * @param seed selects the motion
+   * @param target what the hand touches
    * @param intervalNanos time between samples, positive; most speeds of the hand are per second,
    *     but those of tearing away and tunnelling are per sample
    */
@@ -37,7 +39,13 @@ public final class SimulatedDevice implements HapticDevice {
     this(seed, target, intervalNanos, false);
   }
 
-  /** Returns a device of six degrees of freedom: the same positions, in a hand that turns too. */
+  /**
+   * {@return a device of six degrees of freedom: the same positions, in a hand that turns too}
+   *
+   * @param seed selects the motion
+   * @param target what the hand touches
+   * @param intervalNanos time between samples, positive
+   */
   public static SimulatedDevice withOrientation(long seed, HandTarget target, long intervalNanos) {
     return new SimulatedDevice(seed, target, intervalNanos, true);
   }

@@ -46,7 +46,7 @@ public final class Trajectory {
   }
 
   /**
-   * Returns a trajectory without orientations that keeps the given array.
+   * {@return a trajectory without orientations that keeps the given array}
    *
    * @param xyz three doubles a sample
    * @param periodMs the time between samples, ms; the first sample has time 0
@@ -58,12 +58,30 @@ public final class Trajectory {
     return new Trajectory(timesMs, xyz, size);
   }
 
-  /** Adds a sample without orientation. */
+  /**
+   * Adds a sample without orientation.
+   *
+   * @param timeMs the time of the sample, ms, from an arbitrary origin
+   * @param x the position along x, mm or grid coordinates, as all samples of the trajectory
+   * @param y its y component
+   * @param z its z component
+   */
   public void add(double timeMs, double x, double y, double z) {
     add(timeMs, x, y, z, 1, 0, 0, 0);
   }
 
-  /** Adds a sample with an orientation: a Hamilton quaternion of norm 1, real component first. */
+  /**
+   * Adds a sample with an orientation.
+   *
+   * @param timeMs the time of the sample, ms, from an arbitrary origin
+   * @param x the position along x, mm or grid coordinates, as all samples of the trajectory
+   * @param y its y component
+   * @param z its z component
+   * @param qw the real component of a Hamilton quaternion of norm 1
+   * @param qx its first imaginary component
+   * @param qy its second
+   * @param qz its third
+   */
   public void add(
       double timeMs, double x, double y, double z, double qw, double qx, double qy, double qz) {
     if (size == timesMs.length) {
@@ -119,19 +137,23 @@ public final class Trajectory {
     relocations.set(size - 1);
   }
 
-  /** Returns the number of samples. */
+  /** {@return the number of samples} */
   public int size() {
     return size;
   }
 
-  /** Returns the time of a sample as it was given, ms. */
+  /**
+   * {@return the time of a sample as it was given, ms}
+   *
+   * @param sample the number of the sample, from 0
+   */
   public double timeMs(int sample) {
     return timesMs[sample];
   }
 
   /**
-   * Returns the median time between two samples, ms, of those between which time passes; a
-   * millisecond if there are none. Allocates.
+   * {@return the median time between two samples, ms, of those between which time passes; a
+   * millisecond if there are none} Allocates.
    */
   public double usualStepMs() {
     double[] steps = new double[Math.max(0, size - 1)];
@@ -146,13 +168,24 @@ public final class Trajectory {
     return count == 0 ? 1 : steps[count / 2];
   }
 
-  /** Writes the position of a sample into {@code dest}. */
+  /**
+   * Writes the position of a sample.
+   *
+   * @param sample the number of the sample, from 0
+   * @param dest receives the position, in the unit of the trajectory
+   * @return {@code dest}
+   */
   public Vec3 position(int sample, Vec3 dest) {
     int at = sample * DOUBLES_PER_POSITION;
     return dest.set(positions[at], positions[at + 1], positions[at + 2]);
   }
 
-  /** Writes a sample into {@code dest}, except for its buttons. */
+  /**
+   * Writes a sample, except for its buttons.
+   *
+   * @param sample the number of the sample, from 0
+   * @param dest receives position, orientation, time and {@link DeviceState#relocated}
+   */
   public void read(int sample, DeviceState dest) {
     position(sample, dest.positionMm);
     orientation(sample, dest.orientation);
@@ -160,7 +193,13 @@ public final class Trajectory {
     dest.relocated = relocations.get(sample);
   }
 
-  /** Writes the orientation of a sample into {@code dest}. */
+  /**
+   * Writes the orientation of a sample.
+   *
+   * @param sample the number of the sample, from 0
+   * @param dest receives the orientation, the identity in a trajectory without orientations
+   * @return {@code dest}
+   */
   public Quaternion orientation(int sample, Quaternion dest) {
     if (quaternions == null) {
       return dest.setIdentity();

@@ -33,7 +33,7 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
   }
 
   /**
-   * Returns the workspace in which the device reaches every face of a box. All axes have the same
+   * {@return the workspace in which the device reaches every face of a box} All axes have the same
    * scale, so that shapes keep their proportions.
    *
    * @param device the device, for its radius
@@ -50,8 +50,12 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
   }
 
   /**
-   * Returns a workspace as {@link #fit}, but with a scale for each axis that uses its reach.
+   * {@return a workspace as {@link #fit}, but with a scale for each axis that uses its reach}
    *
+   * @param device the device, for its radius
+   * @param axes device to world; its origin is not used
+   * @param lowMm lowest corner of the box, world mm
+   * @param highMm highest corner
    * @throws IllegalArgumentException if the device has no radius
    */
   public static Workspace fitEachAxis(
@@ -67,22 +71,28 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
         new RigidTransform(axes.axisX(), axes.axisY(), axes.axisZ(), centre), scale);
   }
 
-  /** Returns the largest of the three scales. */
+  /** {@return the largest of the three scales} */
   public double largestScale() {
     return Math.max(scale.x, Math.max(scale.y, scale.z));
   }
 
   /**
-   * Returns the world stiffness that the hand feels as a fraction of the stiffness that the device
-   * renders stably, N per mm of scan.
+   * {@return the world stiffness that the hand feels as a fraction of the stiffness that the device
+   * renders stably, N per mm of scan}
+   *
+   * @param device states the largest stiffness that it renders stably
+   * @param fraction the part of that stiffness, from 0 to 1
    */
   public double stiffnessNewtonPerMm(DeviceSpecification device, double fraction) {
     return fraction * device.maxStiffnessNewtonPerMm() / largestScale();
   }
 
   /**
-   * Writes the world position of a device position into {@code dest}, mm. {@code dest} may be
-   * {@code deviceMm}.
+   * Writes the world position of a device position.
+   *
+   * @param deviceMm the position in the device's frame, mm
+   * @param dest receives the position, world mm; may be {@code deviceMm}
+   * @return {@code dest}
    */
   public Vec3 toWorld(Vec3 deviceMm, Vec3 dest) {
     return toWorldStep(deviceMm, dest).add(deviceToWorld.origin(), dest);
@@ -94,7 +104,13 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
     return dest.set(dest.x * scale.x, dest.y * scale.y, dest.z * scale.z);
   }
 
-  /** Writes the device's force for a force in the world into {@code dest}, newtons. */
+  /**
+   * Writes the device's force for a force in the world.
+   *
+   * @param worldNewton the force along the world's axes, N
+   * @param dest receives the force along the device's axes, N; may be {@code worldNewton}
+   * @return {@code dest}
+   */
   public Vec3 toDeviceForce(Vec3 worldNewton, Vec3 dest) {
     double unit = 1 / largestScale();
     dest.set(
@@ -105,9 +121,12 @@ public record Workspace(RigidTransform deviceToWorld, Vec3 scale) {
   }
 
   /**
-   * Writes the device's torque for a torque in the world into {@code dest}, N mm. The device does
-   * as large a part of the spring's work by turning as by moving, so the torque is divided by the
-   * largest scale.
+   * Writes the device's torque for a torque in the world. The device does as large a part of the
+   * spring's work by turning as by moving, so the torque is divided by the largest scale.
+   *
+   * @param worldNewtonMm the torque along the world's axes, N mm
+   * @param dest receives the torque along the device's axes, N mm; may be {@code worldNewtonMm}
+   * @return {@code dest}
    */
   public Vec3 toDeviceTorque(Vec3 worldNewtonMm, Vec3 dest) {
     deviceToWorld.inverseRotate(worldNewtonMm, dest);

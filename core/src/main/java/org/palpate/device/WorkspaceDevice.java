@@ -83,7 +83,7 @@ public final class WorkspaceDevice extends DeviceDecorator {
       }
     }
 
-    /** Returns the usual assignment: second button clutch, third button a quarter of the speed. */
+    /** {@return the usual assignment: second button clutch, third button a quarter of the speed} */
     public static Controls standard() {
       return new Controls(2, 4, 0.25);
     }
@@ -100,7 +100,13 @@ public final class WorkspaceDevice extends DeviceDecorator {
     }
   }
 
-  /** Maps {@code device}, which is in its own frame, and closes it when it is closed itself. */
+  /**
+   * Maps a device, and closes it when it is closed itself.
+   *
+   * @param device in its own frame
+   * @param workspace from the device's frame to the world
+   * @param controls which buttons hold the clutch and change the speed
+   */
   public WorkspaceDevice(HapticDevice device, Workspace workspace, Controls controls) {
     super(device);
     axes = new Axes(workspace);
@@ -257,12 +263,16 @@ public final class WorkspaceDevice extends DeviceDecorator {
     requestedAxes = new Axes(new Workspace(deviceToWorld, requestedAxes.workspace.scale()));
   }
 
-  /** Holds the clutch as its button does, or releases it, from the next sample on. Any thread. */
+  /**
+   * Holds the clutch as its button does, or releases it, from the next sample on. Any thread.
+   *
+   * @param requested whether the clutch is to be held
+   */
   public void holdClutch(boolean requested) {
     clutchRequested = requested;
   }
 
-  /** Whether {@link #holdClutch} holds the clutch. Any thread. */
+  /** {@return whether {@link #holdClutch} holds the clutch} Any thread. */
   public boolean isClutchRequested() {
     return clutchRequested;
   }

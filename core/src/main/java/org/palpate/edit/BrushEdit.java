@@ -39,8 +39,8 @@ public final class BrushEdit extends BoxEdit {
   }
 
   /**
-   * Returns an edit of the next piece of a stroke. The piece ends where the device is when the edit
-   * is applied if voxels are added, and where the tool touches if they are removed. So what is
+   * {@return an edit of the next piece of a stroke} The piece ends where the device is when the
+   * edit is applied if voxels are added, and where the tool touches if they are removed. So what is
    * added cannot push the brush along. Nothing happens if the tool has no place yet.
    *
    * @param segment index of the segment in the scene

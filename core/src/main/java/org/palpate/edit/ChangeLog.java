@@ -8,19 +8,31 @@ package org.palpate.edit;
  * <p>Haptic thread only; no method allocates.
  */
 public interface ChangeLog {
-  /** Returns the number of the next change. */
+  /** {@return the number of the next change} */
   long end();
 
-  /** Returns the number of the oldest change that is kept. */
+  /** {@return the number of the oldest change that is kept} */
   long oldest();
 
-  /** Undoes a change. The caller undoes changes from the newest to the oldest. */
+  /**
+   * Undoes a change. The caller undoes changes from the newest to the oldest.
+   *
+   * @param change the number of the change
+   */
   void undo(long change);
 
-  /** Does an undone change again. The caller does so from the oldest to the newest. */
+  /**
+   * Does an undone change again. The caller does so from the oldest to the newest.
+   *
+   * @param change the number of the change
+   */
   void redo(long change);
 
-  /** Forgets all changes from a number on, which have been undone; the next change gets it. */
+  /**
+   * Forgets all changes from a number on, which have been undone; the next change gets it.
+   *
+   * @param change the number of the first change to forget
+   */
   void forgetFrom(long change);
 
   /** Begins a stroke: changes of different strokes must not be merged into one. */

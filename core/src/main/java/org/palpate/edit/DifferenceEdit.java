@@ -57,7 +57,7 @@ public final class DifferenceEdit extends Edit {
     count++;
   }
 
-  /** Whether the cubes are equal, so that the edit changes nothing. */
+  /** {@return whether the cubes are equal, so that the edit changes nothing} */
   public boolean isEmpty() {
     return count == 0;
   }

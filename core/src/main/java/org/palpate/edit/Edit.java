@@ -15,8 +15,8 @@ public abstract sealed class Edit
   }
 
   /**
-   * Returns the index of the changed segment in the scene; for a list of voxels that of the first
-   * one, for undo and redo 0.
+   * {@return the index of the changed segment in the scene; for a list of voxels that of the first
+   * one, for undo and redo 0}
    */
   public final int segment() {
     return segment;
@@ -35,8 +35,8 @@ public abstract sealed class Edit
   }
 
   /**
-   * Whether the edit is complete. Then all its writes are visible to the calling thread. Any
-   * thread.
+   * {@return whether the edit is complete} Then all its writes are visible to the calling thread.
+   * Any thread.
    */
   public final boolean isDone() {
     return done;

@@ -33,7 +33,12 @@ public final class EditQueue {
 
   private long strokesAfter = NO_STROKE;
 
-  /** Makes a queue of the usual capacity. */
+  /**
+   * Makes a queue of the usual capacity.
+   *
+   * @param grid the grid of every segment
+   * @param segments number of segments in the scene
+   */
   public EditQueue(VoxelGrid grid, int segments) {
     this(grid, segments, DEFAULT_CAPACITY);
   }
@@ -41,6 +46,7 @@ public final class EditQueue {
   /**
    * Makes a queue for edits of a scene over one grid.
    *
+   * @param grid the grid of every segment
    * @param segments number of segments in the scene
    * @param capacity number of edits that may wait, at least 1
    */
@@ -49,7 +55,7 @@ public final class EditQueue {
   }
 
   /**
-   * Returns a queue for bodies. It refuses a {@link SwapEdit}, because a body never changes its
+   * {@return a queue for bodies} It refuses a {@link SwapEdit}, because a body never changes its
    * cube.
    *
    * @param grids the grid of each body, whose index is that of the segment
@@ -67,6 +73,7 @@ public final class EditQueue {
   /**
    * Queues an edit. Any thread. The edits of one thread keep their order.
    *
+   * @param edit a new edit, which nobody changes from now on
    * @return false if the queue is full; the caller may try again later
    * @throws IllegalArgumentException if there is no such segment, or the edit does not fit its grid
    */
@@ -88,17 +95,17 @@ public final class EditQueue {
     }
   }
 
-  /** Returns the number of segments in the scene. */
+  /** {@return the number of segments in the scene} */
   public int segments() {
     return grids.count();
   }
 
-  /** Returns the number of complete edits. Any thread. */
+  /** {@return the number of complete edits} Any thread. */
   public long completed() {
     return taken.get();
   }
 
-  /** Whether no edit waits and none is in progress. Any thread. */
+  /** {@return whether no edit waits and none is in progress} Any thread. */
   public boolean isIdle() {
     return offered.get() == taken.get();
   }
@@ -107,6 +114,7 @@ public final class EditQueue {
    * Applies up to 32 waiting edits. Each is a stroke of its own in the history, unless it continues
    * the last stroke. Haptic thread.
    *
+   * @param out changes the voxels and keeps the history
    * @param maxVoxels number of voxels that the edits may visit
    * @return whether any voxel may have changed
    */

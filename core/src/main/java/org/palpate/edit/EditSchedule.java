@@ -24,7 +24,7 @@ public final class EditSchedule {
     this.changes = sorted;
   }
 
-  /** Returns all changes, in the order of their frames. */
+  /** {@return all changes, in the order of their frames} */
   public List<VoxelChange> changes() {
     return Collections.unmodifiableList(changes);
   }
@@ -32,6 +32,8 @@ public final class EditSchedule {
   /**
    * Queues the changes up to a frame that were not queued yet, as one edit.
    *
+   * @param frame the last frame whose changes are queued, from 0
+   * @param queue receives the edit
    * @throws IllegalStateException if the queue has no room
    */
   public void offerUpTo(long frame, EditQueue queue) {

@@ -12,13 +12,13 @@ public final class HistoryEdit extends Edit {
     this.isUndo = isUndo;
   }
 
-  /** Returns an edit that undoes the last stroke; it does nothing if there is none. */
+  /** {@return an edit that undoes the last stroke; it does nothing if there is none} */
   public static HistoryEdit undo() {
     return new HistoryEdit(true);
   }
 
   /**
-   * Returns an edit that redoes the stroke that was undone last; it does nothing if there is none.
+   * {@return an edit that redoes the stroke that was undone last; it does nothing if there is none}
    */
   public static HistoryEdit redo() {
     return new HistoryEdit(false);

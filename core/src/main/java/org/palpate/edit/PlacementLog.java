@@ -21,11 +21,20 @@ public final class PlacementLog implements ChangeLog {
   /** Puts bodies where they were. */
   @FunctionalInterface
   public interface Placer {
-    /** Sets the pose of a body, from rest to present, world mm. */
+    /**
+     * Sets the pose of a body.
+     *
+     * @param body the index of the body in the scene
+     * @param pose from rest to present, world mm; not to be kept
+     */
     void place(int body, Pose pose);
   }
 
-  /** Creates an empty log. */
+  /**
+   * Creates an empty log.
+   *
+   * @param placer puts bodies where they were, for undo and redo
+   */
   public PlacementLog(Placer placer) {
     this.placer = placer;
     for (int n = 0; n < CAPACITY; n++) {
@@ -44,7 +53,13 @@ public final class PlacementLog implements ChangeLog {
     history.endStroke();
   }
 
-  /** Notes that a body was moved from one pose to another. */
+  /**
+   * Notes that a body was moved from one pose to another.
+   *
+   * @param index the index of the body in the scene
+   * @param before its pose before, from rest to present, world mm; copied
+   * @param after its pose after, likewise
+   */
   public void note(int index, Pose before, Pose after) {
     history.beforeChange();
     int at = (int) (end++ % CAPACITY);

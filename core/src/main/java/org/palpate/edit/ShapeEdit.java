@@ -20,7 +20,13 @@ public final class ShapeEdit extends BoxEdit {
   /** A solid in the tool frame. */
   @FunctionalInterface
   public interface Shape {
-    /** Whether the solid holds a point, tool frame, mm. Haptic thread. */
+    /**
+     * {@return whether the solid holds a point} Haptic thread.
+     *
+     * @param x the point along x, in the frame of the tool, mm
+     * @param y its y component
+     * @param z its z component
+     */
     boolean contains(double x, double y, double z);
   }
 

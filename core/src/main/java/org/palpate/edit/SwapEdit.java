@@ -30,7 +30,7 @@ public final class SwapEdit extends Edit {
   }
 
   /**
-   * Returns the cube that was replaced.
+   * {@return the cube that was replaced}
    *
    * @throws IllegalStateException before {@link #isDone}
    */

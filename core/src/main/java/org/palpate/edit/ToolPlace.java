@@ -36,6 +36,8 @@ public interface ToolPlace {
    * Writes where the tool acts on a segment, in its grid coordinates: the interaction point, or the
    * first point of a rigid tool in contact, or else its reference point.
    *
+   * @param segment the index of the segment in the scene
+   * @param destGrid receives the place, in the segment's grid coordinates, if there is one
    * @return false if the tool has no place yet
    */
   boolean touchedPoint(int segment, Vec3 destGrid);
@@ -43,6 +45,8 @@ public interface ToolPlace {
   /**
    * Writes where the device is, in the grid coordinates of a segment.
    *
+   * @param segment the index of the segment in the scene
+   * @param destGrid receives the device position, if there is a place
    * @return false if the tool has no place yet
    */
   boolean devicePosition(int segment, Vec3 destGrid);
@@ -50,13 +54,20 @@ public interface ToolPlace {
   /**
    * Writes the map from the grid coordinates of a segment to the tool frame at the device pose, mm.
    *
+   * @param segment the index of the segment in the scene
+   * @param dest receives the map, if there is one
    * @return false if the tool has no place yet, or is no rigid tool
    */
   boolean gridToDevice(int segment, AffineMap dest);
 
   /**
-   * Whether the tool would touch voxel (i,j,k) of a segment, enclose it, or come nearer to it than
-   * its clearance, if the voxel were solid.
+   * {@return whether the tool would touch a voxel of a segment, enclose it, or come nearer to it
+   * than its clearance, if the voxel were solid}
+   *
+   * @param segment the index of the segment in the scene
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
    */
   boolean meets(int segment, int i, int j, int k);
 }

@@ -52,7 +52,7 @@ public final class UndoHistory {
     rememberEnds();
   }
 
-  /** Whether a stroke is undone or done again in part, so that nothing else may change. */
+  /** {@return whether a stroke is undone or done again in part, so that nothing else may change} */
   public boolean isMoving() {
     return isMoving;
   }
@@ -132,7 +132,7 @@ public final class UndoHistory {
     known = done;
   }
 
-  /** Returns the number of strokes that can be undone; the open one counts. */
+  /** {@return the number of strokes that can be undone; the open one counts} */
   public int undoable() {
     return undoableEnded() + (isOpen() ? 1 : 0);
   }
@@ -162,7 +162,7 @@ public final class UndoHistory {
     return true;
   }
 
-  /** Returns the number of strokes that can be done again. */
+  /** {@return the number of strokes that can be done again} */
   public int redoable() {
     return (int) (known - done);
   }

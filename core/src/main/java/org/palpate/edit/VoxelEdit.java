@@ -11,9 +11,12 @@ public final class VoxelEdit extends Edit {
   private final IntBox voxel = new IntBox();
 
   /**
-   * Makes an edit of voxel (i,j,k).
+   * Makes an edit of a voxel.
    *
    * @param segment index of the segment in the scene
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
    * @param solid whether the voxel becomes solid; empty else
    */
   public VoxelEdit(int segment, int i, int j, int k, boolean solid) {

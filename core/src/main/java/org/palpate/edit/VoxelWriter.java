@@ -25,7 +25,12 @@ public final class VoxelWriter {
   private VoxelListener voxels = VoxelListener.NONE;
   private ToolPlace tool = ToolPlace.NONE;
 
-  /** Creates a writer with a history of the usual capacity. */
+  /**
+   * Creates a writer with a history of the usual capacity.
+   *
+   * @param scene the voxels to change
+   * @param boxes receives a box around the voxels of each edit
+   */
   public VoxelWriter(CollisionScene scene, EditListener boxes) {
     this(scene, boxes, DEFAULT_CAPACITY);
   }
@@ -33,6 +38,7 @@ public final class VoxelWriter {
   /**
    * Creates a writer.
    *
+   * @param scene the voxels to change
    * @param boxes receives a box around the voxels of each edit
    * @param capacity the most changed bricks that can be undone, at least 1
    */
@@ -46,7 +52,9 @@ public final class VoxelWriter {
   /**
    * Creates a writer whose history holds the placements of bodies too.
    *
+   * @param scene the voxels to change
    * @param boxes receives a box around the voxels of each edit
+   * @param placements shares the history of the voxels from now on
    */
   public VoxelWriter(CollisionScene scene, EditListener boxes, PlacementLog placements) {
     this.scene = scene;
@@ -56,7 +64,11 @@ public final class VoxelWriter {
     placements.keepIn(history);
   }
 
-  /** Sets the receiver of each changed voxel. Call it before the first change. */
+  /**
+   * Sets the receiver of each changed voxel. Call it before the first change.
+   *
+   * @param listener receives each change on the haptic thread
+   */
   public void listen(VoxelListener listener) {
     voxels = listener;
   }
@@ -64,13 +76,20 @@ public final class VoxelWriter {
   /**
    * Limits a segment: a voxel that is not solid in {@code most} never becomes solid. Call it before
    * the first change.
+   *
+   * @param segment the index of the segment in the scene
+   * @param most the voxels that may become solid, on the grid of the segment; kept
    */
   public void limit(int segment, BitCube most) {
     limits = Arrays.copyOf(limits, Math.max(limits.length, segment + 1));
     limits[segment] = most;
   }
 
-  /** Sets where the tool is, for edits that act there. Call it before the first change. */
+  /**
+   * Sets where the tool is, for edits that act there. Call it before the first change.
+   *
+   * @param place read on the haptic thread when an edit begins
+   */
   public void follow(ToolPlace place) {
     tool = place;
   }
@@ -80,7 +99,7 @@ public final class VoxelWriter {
     return tool;
   }
 
-  /** Returns the history of the changes. */
+  /** {@return the history of the changes} */
   public UndoHistory history() {
     return history;
   }
@@ -93,6 +112,11 @@ public final class VoxelWriter {
   /**
    * Makes a voxel of the grid solid or empty. The caller then reports the box to {@link #applied}.
    *
+   * @param segment the index of the segment in the scene
+   * @param i the voxel's number along x, in the grid
+   * @param j its number along y
+   * @param k its number along z
+   * @param solid whether the voxel becomes solid; empty else
    * @return whether it changed; a voxel beyond the {@link #limit} stays empty
    */
   public boolean write(int segment, int i, int j, int k, boolean solid) {
@@ -119,7 +143,12 @@ public final class VoxelWriter {
     return segment < limits.length && limits[segment] != null && !limits[segment].get(i, j, k);
   }
 
-  /** Reports a box around voxels that {@link #write} may have changed; may be empty. */
+  /**
+   * Reports a box around voxels that {@link #write} may have changed; may be empty.
+   *
+   * @param segment the index of the segment in the scene
+   * @param changed the box, in voxels; not kept
+   */
   public void applied(int segment, IntBox changed) {
     boxes.applied(segment, changed);
   }

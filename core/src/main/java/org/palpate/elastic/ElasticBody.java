@@ -35,7 +35,7 @@ public final class ElasticBody {
     updater = new FieldUpdater(lattice, settings, fields, changed);
   }
 
-  /** Returns the contact, which belongs to the haptic thread. */
+  /** {@return the contact, which belongs to the haptic thread} */
   public ElasticContact contact() {
     return contact;
   }
@@ -43,37 +43,39 @@ public final class ElasticBody {
   /**
    * Sets the listener that receives the inputs of all updates, for a recording. Call it before the
    * first frame and the first update.
+   *
+   * @param listener receives them in the threads that {@link UpdateListener} names
    */
   public void listen(UpdateListener listener) {
     contact.listen(listener);
     updater.listen(listener);
   }
 
-  /** Returns the number of finite elements. */
+  /** {@return the number of finite elements} */
   public int hexahedra() {
     return lattice.cells().count();
   }
 
-  /** Returns the number of voxels that give way but that a tool cannot touch. */
+  /** {@return the number of voxels that give way but that a tool cannot touch} */
   public long untouchableVoxels() {
     return lattice.untouchableVoxels();
   }
 
   /**
-   * Returns the number of parts that edits have cut off from all support. Such parts stand still.
+   * {@return the number of parts that edits have cut off from all support} Such parts stand still.
    * Read it after the last update.
    */
   public int freeParts() {
     return lattice.freeParts();
   }
 
-  /** Returns the counters of the updates; read them after the last one. */
+  /** {@return the counters of the updates; read them after the last one} */
   public UpdateCounters counters() {
     return updater.counters();
   }
 
   /**
-   * Returns the shape for a reader of frames. Call it at most once, before the first frame and the
+   * {@return the shape for a reader of frames} Call it at most once, before the first frame and the
    * first update.
    *
    * @param accumulator that of the reader, before its first publication

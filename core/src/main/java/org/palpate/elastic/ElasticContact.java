@@ -93,10 +93,11 @@ public final class ElasticContact {
   }
 
   /**
-   * Sets the pace of frames and returns this; call it before the first one. The pace is not
-   * measured, so that a session replays to its bits.
+   * Sets the pace of frames; call it before the first one. The pace is not measured, so that a
+   * session replays to its bits.
    *
    * @param sampleNanos the usual time between two samples; a longer one counts as a millisecond
+   * @return this contact
    */
   public ElasticContact paced(long sampleNanos) {
     double frameMs = sampleNanos / NANOS_PER_MS;
@@ -129,12 +130,16 @@ public final class ElasticContact {
     return position;
   }
 
-  /** Returns the device position of the last frame in material coordinates. */
+  /** {@return the device position of the last frame in material coordinates} */
   public Vec3 deviceAtRest() {
     return target;
   }
 
-  /** Notes an edit, after its writes. */
+  /**
+   * Notes an edit, after its writes.
+   *
+   * @param voxels holds every voxel that changed; not kept
+   */
   public void edited(IntBox voxels) {
     changed.mark(voxels);
   }
@@ -202,6 +207,9 @@ public final class ElasticContact {
    * Moves the point after the device, and finds the force on the material.
    *
    * @param solver moves the point in material coordinates by verified legs
+   * @param scene the solids, at rest in material coordinates
+   * @param point the interaction point, material coordinates; moved
+   * @param newtonPerMm the stiffness of the coupling, N/mm
    */
   public void follow(
       ProxySolver solver, CollisionScene scene, InteractionPoint point, double newtonPerMm) {
@@ -289,7 +297,7 @@ public final class ElasticContact {
   }
 
   /**
-   * Returns the device position for the coupling, in material coordinates. Its offset from the
+   * {@return the device position for the coupling, in material coordinates} Its offset from the
    * point equals the offset of the device from the present position of the point.
    */
   public Vec3 coupledDevice() {
@@ -301,6 +309,7 @@ public final class ElasticContact {
    * took. Call it in each frame after {@link #follow}.
    *
    * @param deviceGrid where the device is, grid coordinates
+   * @param point the interaction point, material coordinates
    * @param newtonPerMm the stiffness of the coupling
    * @param onHandNewton lowered in place
    */
@@ -311,17 +320,17 @@ public final class ElasticContact {
     tank.limit(deviceMm, reachMm.length(), newtonPerMm, onHandNewton);
   }
 
-  /** Returns the present position of the point, grid coordinates. */
+  /** {@return the present position of the point, grid coordinates} */
   public Vec3 presentPosition() {
     return present;
   }
 
-  /** Returns the number of frames whose force on the material was clipped to the proved forces. */
+  /** {@return the number of frames whose force on the material was clipped to the proved forces} */
   public long clippedFrames() {
     return clippedFrames;
   }
 
-  /** Returns the number of frames whose force on the hand {@link #limitWork} lowered. */
+  /** {@return the number of frames whose force on the hand {@link #limitWork} lowered} */
   public long loweredFrames() {
     return tank.loweredFrames();
   }

@@ -36,8 +36,9 @@ public record ElasticPlan(
   }
 
   /**
-   * Returns the plan of a volume.
+   * {@return the plan of a volume}
    *
+   * @param volume the segments, on one grid
    * @param materials those of the elastic segments by name; all other segments stand still
    * @param fills what deforms too and is no segment of the volume
    * @param edgeMm the edge of a cell; if empty, some 3,000 cells cover the elastic segments

@@ -31,7 +31,11 @@ public final class ElasticThread implements AutoCloseable {
   private volatile long begunNanos;
   private volatile Throwable failure;
 
-  /** Creates a thread that has not started. */
+  /**
+   * Creates a thread that has not started.
+   *
+   * @param body belongs to the haptic thread and to this one; no other updates it
+   */
   public ElasticThread(ElasticBody body) {
     this(body.liveUpdate(), System::nanoTime);
   }
@@ -69,7 +73,7 @@ public final class ElasticThread implements AutoCloseable {
     }
   }
 
-  /** Returns why no update comes; empty while they come. Any thread. */
+  /** {@return why no update comes; empty while they come} Any thread. */
   public Optional<String> trouble() {
     Throwable thrown = failure;
     if (thrown != null) {
@@ -80,7 +84,7 @@ public final class ElasticThread implements AutoCloseable {
         : Optional.empty();
   }
 
-  /** Returns what an update threw, if one failed. Any thread. */
+  /** {@return what an update threw, if one failed} Any thread. */
   public Optional<Throwable> failure() {
     return Optional.ofNullable(failure);
   }

@@ -65,17 +65,28 @@ public final class PublishedShape {
     return differs;
   }
 
-  /** Returns the layout of the lattice. Any thread. */
+  /** {@return the layout of the lattice} Any thread. */
   public LatticeLayout layout() {
     return layout;
   }
 
-  /** Writes the interaction point of the last frame, material coordinates. */
+  /**
+   * Writes the interaction point of the last frame.
+   *
+   * @param dest receives the point, material coordinates
+   * @return {@code dest}
+   */
   public Vec3 materialPoint(Vec3 dest) {
     return point.read(dest);
   }
 
-  /** Writes the present position of a material point; {@code dest} may be the same vector. */
+  /**
+   * Writes the present position of a material point.
+   *
+   * @param material the point, material coordinates
+   * @param dest receives the position, grid coordinates; may be {@code material}
+   * @return {@code dest}
+   */
   public Vec3 present(Vec3 material, Vec3 dest) {
     return map.forward(material, dest);
   }

@@ -23,6 +23,7 @@ public final class RecordedUpdates {
   /**
    * Creates the updates of a body that no other thread updates.
    *
+   * @param body the elastic segments at rest, as the session had them
    * @param recorded in the order of the session
    * @throws IllegalArgumentException if the body has no such cell, so it is another one
    */

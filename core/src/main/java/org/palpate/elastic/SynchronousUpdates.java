@@ -15,7 +15,11 @@ public final class SynchronousUpdates {
   private final int framesAPeriod;
   private int frame;
 
-  /** Creates the updates of a body that no other thread updates, for frames of a millisecond. */
+  /**
+   * Creates the updates of a body that no other thread updates, for frames of a millisecond.
+   *
+   * @param body the elastic segments
+   */
   public SynchronousUpdates(ElasticBody body) {
     this(body, 1);
   }
@@ -23,6 +27,7 @@ public final class SynchronousUpdates {
   /**
    * Creates the updates of a body that no other thread updates.
    *
+   * @param body the elastic segments
    * @param frameMs the length of a frame; a longer one counts as a millisecond
    */
   public SynchronousUpdates(ElasticBody body, double frameMs) {

@@ -41,40 +41,44 @@ public final class UpdateCounters {
     worstResidual = Math.max(worstResidual, relative);
   }
 
-  /** Returns the number of updates. */
+  /** {@return the number of updates} */
   public long updates() {
     return updates;
   }
 
-  /** Returns the number of updates that were left out because nothing was pressed or near. */
+  /** {@return the number of updates that were left out because nothing was pressed or near} */
   public long skipped() {
     return skipped;
   }
 
-  /** Returns a percentile of the time of an update, ms; 100 for the longest. */
+  /**
+   * {@return a percentile of the time of an update, ms}
+   *
+   * @param percentile the percentage of updates that take at most this time; 100 for the longest
+   */
   public double updateMs(double percentile) {
     return nanos.getValueAtPercentile(percentile) / NANOS_PER_MILLI;
   }
 
-  /** Returns the number of updates that would have folded a cell and were scaled back. */
+  /** {@return the number of updates that would have folded a cell and were scaled back} */
   public long scaledBack() {
     return scaledBack;
   }
 
-  /** Returns the number of updates that could not be proved and were not used. */
+  /** {@return the number of updates that could not be proved and were not used} */
   public long refused() {
     return refused;
   }
 
   /**
-   * Returns the number of recorded loads that a replay did not reach to the bit; 0 if it repeats
-   * the session, or if no updates were recorded.
+   * {@return the number of recorded loads that a replay did not reach to the bit; 0 if it repeats
+   * the session, or if no updates were recorded}
    */
   public long elsewhere() {
     return elsewhere;
   }
 
-  /** Returns the largest residual that an update left, over its load. */
+  /** {@return the largest residual that an update left, over its load} */
   public double worstResidual() {
     return worstResidual;
   }

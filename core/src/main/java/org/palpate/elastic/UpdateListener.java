@@ -26,6 +26,7 @@ public interface UpdateListener {
    * the updates.
    *
    * @param cell its place in the list of cells
+   * @param stiffness the new stiffness, which nobody changes
    */
   void refilled(int cell, CellStiffness stiffness);
 
@@ -38,8 +39,9 @@ public interface UpdateListener {
   void updating(Vec3 point, Vec3 forceNewton);
 
   /**
-   * Receives the number of the update, from 0, whose field comes into use. Haptic thread: must not
-   * wait or allocate.
+   * Receives an update whose field comes into use. Haptic thread: must not wait or allocate.
+   *
+   * @param update the number of the update, from 0
    */
   void used(long update);
 }

@@ -38,6 +38,7 @@ public final class ContactForce {
    * Makes the force of a session.
    *
    * @param metric measures all lengths
+   * @param settings materials, friction and damping at the start
    */
   public ContactForce(GridMetric metric, ForceSettings settings) {
     this.metric = metric;
@@ -49,17 +50,21 @@ public final class ContactForce {
     coneFriction = new ConeFriction(metric);
   }
 
-  /** Returns the present settings. */
+  /** {@return the present settings} */
   public ForceSettings settings() {
     return settings;
   }
 
-  /** Returns the stiffness of the coupling in the last frame, N/mm. */
+  /** {@return the stiffness of the coupling in the last frame, N/mm} */
   public double stiffnessNewtonPerMm() {
     return material.stiffnessNewtonPerMm();
   }
 
-  /** Changes the settings from the next frame on. */
+  /**
+   * Changes the settings from the next frame on.
+   *
+   * @param newSettings the new materials and the form of friction
+   */
   @SuppressWarnings("ReferenceEquality") // each frame asks, nearly always with the same object
   public void change(ForceSettings newSettings) {
     if (settings != newSettings) {
@@ -69,13 +74,17 @@ public final class ContactForce {
     }
   }
 
-  /** Takes materials from grey values instead of the settings; before the first frame. */
+  /**
+   * Takes materials from grey values instead of the settings; before the first frame.
+   *
+   * @param materials belong to a volume on the grid of the session
+   */
   public void use(GreyMaterials materials) {
     greys = materials;
     damps |= materials.damps();
   }
 
-  /** Returns the number of frames that skipped friction because it is zero. */
+  /** {@return the number of frames that skipped friction because it is zero} */
   public long frictionSkipped() {
     return frictionSkipped;
   }
@@ -106,8 +115,11 @@ public final class ContactForce {
   /**
    * Computes the force of a frame, where the point is in other coordinates than the hand.
    *
+   * @param point where the solver left it, with the legs of this frame and the touched object
    * @param device the point plus the stretch of the coupling, grid coordinates
    * @param hand the device position whose motion counts, grid coordinates
+   * @param elapsedNanos time since the last computed frame
+   * @param forceNewton the result, newtons along the grid's axes
    */
   public void compute(
       InteractionPoint point, Vec3 device, Vec3 hand, long elapsedNanos, Vec3 forceNewton) {

@@ -7,7 +7,7 @@ package org.palpate.force;
 @FunctionalInterface
 public interface EffectPlan {
   /**
-   * Returns a new effect.
+   * {@return a new effect}
    *
    * @param site the coordinates and the stiffness of the frame
    */

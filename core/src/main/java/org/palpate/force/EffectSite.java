@@ -28,19 +28,27 @@ public record EffectSite(
   }
 
   /**
-   * Returns the lever of the coupling, mm: the square root of rotational stiffness over stiffness.
+   * {@return the lever of the coupling, mm: the square root of rotational stiffness over stiffness}
    * A rotation counts as its angle times the lever. A point has 0.
    */
   public double leverMm() {
     return stiffnessNewtonPerMm > 0 ? Math.sqrt(rotationalStiffness / stiffnessNewtonPerMm) : 0;
   }
 
-  /** Returns a world position in the frame's millimetres. */
+  /**
+   * {@return a position in the frame's millimetres}
+   *
+   * @param worldMm the position, world mm
+   */
   public Vec3 position(Vec3 worldMm) {
     return frameToWorld.inverseTransform(worldMm, new Vec3());
   }
 
-  /** Returns a world direction along the frame's axes. */
+  /**
+   * {@return a direction along the frame's axes}
+   *
+   * @param world the direction along the axes of the world, of any length
+   */
   public Vec3 direction(Vec3 world) {
     return frameToWorld.inverseRotate(world, new Vec3());
   }

@@ -46,8 +46,9 @@ public final class ForceLimiter {
   }
 
   /**
-   * Limits {@code forceNewton} in place.
+   * Limits a force in place.
    *
+   * @param forceNewton the force to limit, N; may be NaN or infinite
    * @param elapsedNanos time since the last call; counts up to {@link #MAX_STEP_MS}
    */
   public void clamp(Vec3 forceNewton, long elapsedNanos) {
@@ -67,7 +68,7 @@ public final class ForceLimiter {
     lastForceNewton.set(0, 0, 0);
   }
 
-  /** Returns the number of forces that were not finite and became zero. */
+  /** {@return the number of forces that were not finite and became zero} */
   public long notFinite() {
     return notFinite;
   }

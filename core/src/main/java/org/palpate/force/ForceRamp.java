@@ -31,14 +31,18 @@ public final class ForceRamp {
     elapsedNanos = 0;
   }
 
-  /** Advances the ramp by the time that has passed; negative time changes nothing. */
+  /**
+   * Advances the ramp by the time that has passed; negative time changes nothing.
+   *
+   * @param nanos the time since the last call, ns
+   */
   public void advance(long nanos) {
     if (nanos > 0 && !isComplete()) {
       elapsedNanos = Math.min(durationNanos, elapsedNanos + Math.min(nanos, durationNanos));
     }
   }
 
-  /** Returns the present factor, from 0 to 1. */
+  /** {@return the present factor, from 0 to 1} */
   public double factor() {
     return isComplete() ? 1 : (double) elapsedNanos / durationNanos;
   }

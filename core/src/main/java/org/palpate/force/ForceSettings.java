@@ -25,28 +25,40 @@ public record ForceSettings(
     materials = List.copyOf(materials);
   }
 
-  /** Makes settings with one material for all objects, without damping. */
+  /**
+   * Makes settings with one material for all objects, without damping.
+   *
+   * @param stiffnessNewtonPerMm k of every object, N/mm
+   * @param friction the static mu of every object
+   * @param form the formula of friction
+   * @param skipsFriction whether friction is left out if mu is 0 or nothing slid
+   */
   public ForceSettings(
       double stiffnessNewtonPerMm, double friction, FrictionForm form, boolean skipsFriction) {
     this(Material.of(stiffnessNewtonPerMm, friction, form), form, skipsFriction, List.of());
   }
 
-  /** Returns settings with friction by equation (4), skipped if it is zero. */
+  /**
+   * {@return settings with friction by equation (4), skipped if it is zero}
+   *
+   * @param stiffnessNewtonPerMm k of every object, N/mm
+   * @param friction the static mu of every object
+   */
   public static ForceSettings of(double stiffnessNewtonPerMm, double friction) {
     return new ForceSettings(stiffnessNewtonPerMm, friction, FrictionForm.EQUATION_4, true);
   }
 
-  /** Returns k of objects without a material of their own, N/mm. */
+  /** {@return k of objects without a material of their own, N/mm} */
   public double stiffnessNewtonPerMm() {
     return general.stiffnessNewtonPerMm();
   }
 
-  /** Returns the static mu of objects without a material of their own. */
+  /** {@return the static mu of objects without a material of their own} */
   public double friction() {
     return general.staticFriction();
   }
 
-  /** Returns the largest stiffness of any object, N/mm. */
+  /** {@return the largest stiffness of any object, N/mm} */
   public double stiffestNewtonPerMm() {
     double stiffest = stiffnessNewtonPerMm();
     for (Material material : materials) {
@@ -55,17 +67,24 @@ public record ForceSettings(
     return stiffest;
   }
 
-  /** Whether objects have materials of their own, so that the frame must find the touched one. */
+  /**
+   * {@return whether objects have materials of their own, so that the frame must find the touched
+   * one}
+   */
   public boolean distinguishesObjects() {
     return !materials.isEmpty();
   }
 
-  /** Returns the material of an object, or the general one if the object has none or is unknown. */
+  /**
+   * {@return the material of an object, or the general one if the object has none or is unknown}
+   *
+   * @param object the index of the object in the scene; negative if it is unknown
+   */
   public Material material(int object) {
     return object >= 0 && object < materials.size() ? materials.get(object) : general;
   }
 
-  /** Whether any material has damping. */
+  /** {@return whether any material has damping} */
   public boolean damps() {
     boolean damps = general.dampingNewtonSecondPerMm() > 0;
     for (int object = 0; object < materials.size(); object++) {
@@ -74,7 +93,12 @@ public record ForceSettings(
     return damps;
   }
 
-  /** Returns these settings with all stiffnesses multiplied and all frictions increased. */
+  /**
+   * {@return these settings with all stiffnesses multiplied and all frictions increased}
+   *
+   * @param stiffnessFactor the factor of each stiffness, positive
+   * @param addedFriction the increase of each mu
+   */
   public ForceSettings retuned(double stiffnessFactor, double addedFriction) {
     Material[] retuned = new Material[materials.size()];
     for (int object = 0; object < retuned.length; object++) {

@@ -14,7 +14,7 @@ public final class FramePart {
   private FramePart() {}
 
   /**
-   * Returns the part of a bound for a frame, in (0, 1].
+   * {@return the part of a bound for a frame, in (0, 1]}
    *
    * @param elapsedNanos time since the last frame; 1 is returned if it is not positive, because
    *     then no time is known
@@ -23,7 +23,11 @@ public final class FramePart {
     return elapsedNanos > 0 ? Math.min(1, elapsedNanos / NANOS) : 1;
   }
 
-  /** Returns the same for a time in seconds. */
+  /**
+   * {@return the part of a bound for a frame, in (0, 1]}
+   *
+   * @param elapsedSeconds the time since the last frame, s; 0 or negative counts as a whole frame
+   */
   public static double ofSeconds(double elapsedSeconds) {
     return elapsedSeconds > 0 ? Math.min(1, elapsedSeconds / SECONDS) : 1;
   }

@@ -12,7 +12,7 @@ public enum FrictionForm {
   /** Static and sliding friction with one cone each; see {@link ConeFriction}. */
   CONE;
 
-  /** Returns sliding friction divided by static friction, if a user gives only one of them. */
+  /** {@return sliding friction divided by static friction, if a user gives only one of them} */
   public double slidingFraction() {
     return this == CONE ? ConeFriction.SLIDING_FRACTION : 1;
   }

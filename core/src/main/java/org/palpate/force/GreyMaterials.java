@@ -47,6 +47,7 @@ public final class GreyMaterials {
   /**
    * Creates materials.
    *
+   * @param values the grey values under the contact; kept
    * @param rows at least one, with values that rise
    * @throws IllegalArgumentException if there is no row or the values do not rise
    */
@@ -64,12 +65,12 @@ public final class GreyMaterials {
     }
   }
 
-  /** Returns the grid of the values. */
+  /** {@return the grid of the values} */
   public VoxelGrid grid() {
     return values.grid();
   }
 
-  /** Returns the largest stiffness over that of contact. */
+  /** {@return the largest stiffness over that of contact} */
   public double stiffest() {
     double most = 0;
     for (int n = 0; n < rows.size(); n++) {

@@ -35,7 +35,7 @@ public final class HapticEffects {
     }
   }
 
-  /** Whether there is an effect, or one that still fades out. */
+  /** {@return whether there is an effect, or one that still fades out} */
   public boolean areActive() {
     return !effects.isEmpty() || ramp.factor() < 1;
   }
@@ -59,6 +59,8 @@ public final class HapticEffects {
   /**
    * Adds the effects to force and torque of a frame.
    *
+   * @param hand the motion and the contact of this frame
+   * @param elapsedNanos time since the last frame
    * @param forceNewton changed, N
    * @param torqueNewtonMm changed, N mm
    */
@@ -87,12 +89,12 @@ public final class HapticEffects {
     dest.z += (1 - factor) * former.z;
   }
 
-  /** Returns the force of the effects in the last frame, N. */
+  /** {@return the force of the effects in the last frame, N} */
   public Vec3 lastForceNewton() {
     return lastForce;
   }
 
-  /** Returns the torque of the effects in the last frame, N mm. */
+  /** {@return the torque of the effects in the last frame, N mm} */
   public Vec3 lastTorqueNewtonMm() {
     return lastTorque;
   }

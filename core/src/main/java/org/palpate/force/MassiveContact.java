@@ -60,6 +60,7 @@ public final class MassiveContact {
    * Creates the body of a session, at rest at the origin until {@link #place}.
    *
    * @param metric measures all lengths
+   * @param settings materials and friction at the start
    * @param held the mass, with gravity along the grid's axes
    */
   public MassiveContact(GridMetric metric, ForceSettings settings, MassSettings held) {
@@ -72,7 +73,11 @@ public final class MassiveContact {
     couple();
   }
 
-  /** Changes stiffness and materials from the next frame on. */
+  /**
+   * Changes stiffness and materials from the next frame on.
+   *
+   * @param newSettings the new materials
+   */
   @SuppressWarnings("ReferenceEquality") // each frame asks, nearly always with the same object
   public void change(ForceSettings newSettings) {
     if (settings != newSettings) {
@@ -82,7 +87,11 @@ public final class MassiveContact {
     }
   }
 
-  /** Takes materials from grey values instead of the settings; before the first frame. */
+  /**
+   * Takes materials from grey values instead of the settings; before the first frame.
+   *
+   * @param materials belong to a volume on the grid of the session
+   */
   public void use(GreyMaterials materials) {
     greys = materials;
     couple();
@@ -105,7 +114,11 @@ public final class MassiveContact {
     return rest > 0 ? wanted * couplingStiffness / rest : 0;
   }
 
-  /** Puts the body at rest at a position, because the point was placed there. */
+  /**
+   * Puts the body at rest at a position, because the point was placed there.
+   *
+   * @param pointGrid where the point was placed, grid coordinates
+   */
   public void place(Vec3 pointGrid) {
     toMillimetres(pointGrid, body);
     velocity.set(0, 0, 0);
@@ -120,6 +133,7 @@ public final class MassiveContact {
    * Moves the body and writes where the solver is to bring the point.
    *
    * @param contact the point where the last frame left it
+   * @param deviceGrid the device position, grid coordinates
    * @param elapsedNanos time since the last call; counts up to 5 ms
    * @param dest written, grid coordinates
    */
@@ -237,17 +251,17 @@ public final class MassiveContact {
     }
   }
 
-  /** Returns the mass, kg. */
+  /** {@return the mass, kg} */
   public double kg() {
     return held.kg();
   }
 
-  /** Returns the surplus of energy that no motion has paid yet, mJ. */
+  /** {@return the surplus of energy that no motion has paid yet, mJ} */
   public double debtMillijoule() {
     return observer.debt();
   }
 
-  /** Returns the surplus of energy that was taken from the motion of the body so far, mJ. */
+  /** {@return the surplus of energy that was taken from the motion of the body so far, mJ} */
   public double takenMillijoule() {
     return observer.taken();
   }

@@ -54,6 +54,7 @@ public final class MassiveTool implements ToolProposal {
   /**
    * Creates the body of a session.
    *
+   * @param tool its points give the radius and the directions of its inertia
    * @param coupling the springs between device and tool
    * @param friction the coefficient of sliding friction
    * @param held the mass, with gravity along the world's axes
@@ -197,17 +198,17 @@ public final class MassiveTool implements ToolProposal {
     return isShort;
   }
 
-  /** Returns the mass, kg. */
+  /** {@return the mass, kg} */
   public double kg() {
     return held.kg();
   }
 
-  /** Returns the surplus of energy that no motion has paid yet, mJ. */
+  /** {@return the surplus of energy that no motion has paid yet, mJ} */
   public double debtMillijoule() {
     return observer.debt();
   }
 
-  /** Returns the surplus of energy that was taken from the motion of the tool so far, mJ. */
+  /** {@return the surplus of energy that was taken from the motion of the tool so far, mJ} */
   public double takenMillijoule() {
     return observer.taken();
   }

@@ -35,7 +35,13 @@ public record Material(
     }
   }
 
-  /** Returns a material without damping, with the sliding friction that suits the form. */
+  /**
+   * {@return a material without damping, with the sliding friction that suits the form}
+   *
+   * @param stiffnessNewtonPerMm k, N/mm
+   * @param friction the static mu
+   * @param form the formula of friction, which gives the sliding mu
+   */
   public static Material of(double stiffnessNewtonPerMm, double friction, FrictionForm form) {
     return new Material(stiffnessNewtonPerMm, friction, form.slidingFraction() * friction, 0);
   }

@@ -58,8 +58,10 @@ public final class ToolForce {
   /**
    * Makes the force of a session.
    *
+   * @param tool its points give the lever of torques
    * @param shortestEdgeMm the shortest voxel edge of the scene, mm
    * @param coupling has the stiffness of the general material of {@code settings}
+   * @param settings materials, friction and damping at the start
    */
   public ToolForce(
       RigidTool tool, double shortestEdgeMm, RigidCoupling coupling, ForceSettings settings) {
@@ -72,7 +74,11 @@ public final class ToolForce {
     greyDepthMm = GREY_DEPTH_EDGES * shortestEdgeMm;
   }
 
-  /** Changes materials and friction from the next frame on. */
+  /**
+   * Changes materials and friction from the next frame on.
+   *
+   * @param newSettings the new materials and the form of friction
+   */
   public void change(ForceSettings newSettings) {
     settings = newSettings;
   }
@@ -80,12 +86,18 @@ public final class ToolForce {
   /**
    * Takes materials from grey values instead of the settings; before the first frame. The values
    * are those of bodies at rest.
+   *
+   * @param materials belong to the bodies at rest
    */
   public void use(GreyMaterials materials) {
     greys = materials;
   }
 
-  /** Chooses whether the change of the coupling force is bounded; it is at first. */
+  /**
+   * Chooses whether the change of the coupling force is bounded; it is at first.
+   *
+   * @param limits whether the change of the coupling force is bounded
+   */
   public void limitRate(boolean limits) {
     limitsRate = limits;
   }
@@ -105,7 +117,7 @@ public final class ToolForce {
     known = false;
   }
 
-  /** Returns the number of frames that skipped friction because it is zero. */
+  /** {@return the number of frames that skipped friction because it is zero} */
   public long frictionSkipped() {
     return frictionSkipped;
   }

@@ -12,14 +12,18 @@ import org.palpate.rigid.ToolMotion;
  */
 public interface ToolProposal {
   /**
-   * Whether the tool may move in a way that the hand does not, so that the coupling force is to
-   * follow as slowly as after a jump.
+   * {@return whether the tool may move in a way that the hand does not, so that the coupling force
+   * is to follow as slowly as after a jump}
    */
   default boolean jumps() {
     return true;
   }
 
-  /** Begins anew, because the tool was placed without a path. */
+  /**
+   * Begins anew, because the tool was placed without a path.
+   *
+   * @param tool where the tool is now, world mm
+   */
   void reset(Pose tool);
 
   /**

@@ -47,17 +47,25 @@ public final class FrameRecord {
   private final double[] shares = new double[MOST_CONTACTS];
   private int contacts;
 
-  /** Returns the number of contacts whose object is known. */
+  /** {@return the number of contacts whose object is known} */
   public int contacts() {
     return contacts;
   }
 
-  /** Returns the index in the scene of the object that a contact touches. */
+  /**
+   * {@return the index in the scene of the object that a contact touches}
+   *
+   * @param contactIndex the number of the contact, from 0 to {@link #contacts()} - 1
+   */
   public int object(int contactIndex) {
     return objects[contactIndex];
   }
 
-  /** Returns the part of the pressing force that a contact carries; the parts add up to 1. */
+  /**
+   * {@return the part of the pressing force that a contact carries; the parts add up to 1}
+   *
+   * @param contactIndex the number of the contact, from 0 to {@link #contacts()} - 1
+   */
   public double share(int contactIndex) {
     return shares[contactIndex];
   }
@@ -67,7 +75,12 @@ public final class FrameRecord {
     contacts = 0;
   }
 
-  /** Adds a contact; there must be fewer than {@link #MOST_CONTACTS}. */
+  /**
+   * Adds a contact; there must be fewer than {@link #MOST_CONTACTS}.
+   *
+   * @param object the index in the scene of the object that the contact touches
+   * @param share the part of the pressing force that it carries
+   */
   public void addContact(int object, double share) {
     objects[contacts] = object;
     shares[contacts++] = share;

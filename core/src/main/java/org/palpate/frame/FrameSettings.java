@@ -53,7 +53,16 @@ public record FrameSettings(
     }
   }
 
-  /** Makes settings without torque. */
+  /**
+   * Makes settings without torque.
+   *
+   * @param force materials and friction
+   * @param maxForceNewton the longest force; infinity for no limit
+   * @param slewNewtonPerMs the fastest change of the force; infinity for no limit
+   * @param rampNanos time in which a force returns; 0 for at once
+   * @param silenceNanos time without a new sample for which the last force is held
+   * @param editVoxelsAFrame number of voxels that edits may visit in one frame, at least 1
+   */
   public FrameSettings(
       ForceSettings force,
       double maxForceNewton,
@@ -72,7 +81,12 @@ public record FrameSettings(
         Double.POSITIVE_INFINITY);
   }
 
-  /** Returns the settings of a live session: the device's maxima, slew rates and silence. */
+  /**
+   * {@return the settings of a live session: the device's maxima, slew rates and silence}
+   *
+   * @param device states the maxima and the interval of its reports
+   * @param force materials and friction
+   */
   public static FrameSettings live(DeviceSpecification device, ForceSettings force) {
     return new FrameSettings(
         force,
@@ -90,7 +104,9 @@ public record FrameSettings(
   }
 
   /**
-   * Returns these settings with this as the longest torque, N mm, and with no limit to its slew.
+   * {@return these settings with another longest torque, and with no limit to its slew}
+   *
+   * @param newtonMm the longest torque, N mm; 0 for none, infinity for no limit
    */
   public FrameSettings withTorque(double newtonMm) {
     return new FrameSettings(
@@ -104,7 +120,11 @@ public record FrameSettings(
         Double.POSITIVE_INFINITY);
   }
 
-  /** Returns these settings with {@code newton} as maximum force, if it is lower. */
+  /**
+   * {@return these settings with a lower maximum force}
+   *
+   * @param newton the maximum, N; it has no effect if the present one is lower
+   */
   public FrameSettings withMaxForce(double newton) {
     return new FrameSettings(
         force,

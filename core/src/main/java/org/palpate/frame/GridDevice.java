@@ -23,7 +23,7 @@ public final class GridDevice {
   }
 
   /**
-   * Returns a device converted to a grid.
+   * {@return a device converted to a grid}
    *
    * @param worldDevice positions in world mm, forces along the world's axes
    * @param grid the grid to convert to
@@ -33,8 +33,10 @@ public final class GridDevice {
   }
 
   /**
-   * Returns a device as it is, because its positions are grid coordinates already; for example a
-   * trajectory that was made in the grid.
+   * {@return a device as it is, because its positions are grid coordinates already; for example a
+   * trajectory that was made in the grid}
+   *
+   * @param device its positions are grid coordinates; the caller closes it
    */
   public static GridDevice inGridCoordinates(HapticDevice device) {
     return new GridDevice(device);

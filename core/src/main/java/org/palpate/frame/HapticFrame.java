@@ -354,15 +354,24 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     return sinceForceNanos;
   }
 
-  /** Returns what changes the voxels of the scene; haptic thread, or before the first frame. */
+  /** {@return what changes the voxels of the scene; haptic thread, or before the first frame} */
   public abstract VoxelWriter voxels();
 
-  /** Notes how near the tool comes to segments. Call it before the first frame. */
+  /**
+   * Notes how near the tool comes to segments. Call it before the first frame.
+   *
+   * @param segments one record for each segment that is watched; kept
+   */
   public void watch(List<NearestApproach> segments) {
     approaches = segments.toArray(new NearestApproach[0]);
   }
 
-  /** Sets who receives what frames did. Call it before the first frame. */
+  /**
+   * Sets who receives what frames did. Call it before the first frame.
+   *
+   * @param newObserver receives each frame's record on the haptic thread; it must not allocate or
+   *     wait
+   */
   public void observe(FrameObserver newObserver) {
     observer = newObserver;
   }
@@ -385,7 +394,7 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
   }
 
   /**
-   * Returns the number, from 0, under which a recording notes changes of voxels by this frame. A
+   * {@return the number, from 0, under which a recording notes changes of voxels by this frame} A
    * replay has a frame for each new sample. So it is the number of the frame's own new sample or,
    * if the frame has none, that of the next one. Haptic thread.
    */
@@ -393,61 +402,61 @@ public abstract sealed class HapticFrame permits PointFrame, ToolFrame {
     return isSampleNew ? samples - 1 : samples;
   }
 
-  /** Returns the device's last sample, unchecked. It belongs to the frame. */
+  /** {@return the device's last sample, unchecked} It belongs to the frame. */
   public DeviceState sample() {
     return sample;
   }
 
-  /** Returns the last written force, N. It belongs to the frame. */
+  /** {@return the last written force, N} It belongs to the frame. */
   public Vec3 forceNewton() {
     return forceNewton;
   }
 
-  /** Returns the last written torque about the tool's reference point, N mm. */
+  /** {@return the last written torque about the tool's reference point, N mm} */
   public Vec3 torqueNewtonMm() {
     return torqueNewtonMm;
   }
 
-  /** Whether the last frame set the tool free, so that a new chain of legs begins. */
+  /** {@return whether the last frame set the tool free, so that a new chain of legs begins} */
   public boolean wasFreed() {
     return freed;
   }
 
-  /** Whether the last frame had a new sample and moved the tool after it. */
+  /** {@return whether the last frame had a new sample and moved the tool after it} */
   public boolean followed() {
     return followed;
   }
 
-  /** Returns the device that the frame reads and writes. Any thread. */
+  /** {@return the device that the frame reads and writes} Any thread. */
   public HapticDevice device() {
     return device;
   }
 
-  /** Returns the number of frames so far. Any thread. */
+  /** {@return the number of frames so far} Any thread. */
   public long frameCount() {
     return counters.frames();
   }
 
-  /** Whether the last frame ended in contact. Any thread. */
+  /** {@return whether the last frame ended in contact} Any thread. */
   public boolean inContact() {
     return counters.contact();
   }
 
   /**
-   * Whether the device may exert a force or a torque: the last ones that were written were not
-   * zero, or did not arrive. Any thread.
+   * {@return whether the device may exert a force or a torque: the last ones that were written were
+   * not zero, or did not arrive} Any thread.
    */
   public boolean mayExertForce() {
     return counters.mayExertForce();
   }
 
-  /** Returns the length of the last force, N. Any thread. */
+  /** {@return the length of the last force, N} Any thread. */
   public double forceLengthNewton() {
     return counters.forceNewton();
   }
 
   /**
-   * Returns the statistics so far. Allocates. Haptic thread, or any thread after the last frame.
+   * {@return the statistics so far} Allocates. Haptic thread, or any thread after the last frame.
    */
   public FrameStatistics statistics() {
     long notFinite = forceLimiter.notFinite() + torqueLimiter.notFinite();

@@ -74,6 +74,7 @@ public final class PointFrame extends HapticFrame {
    * @param solver moves the interaction point; belongs to the frame from now on
    * @param scene the solids
    * @param metric the spacing of the scene's grid
+   * @param settings materials, friction and limits
    * @param edits changes of the scene, applied before the point moves
    * @param publisher receives each frame's result
    */
@@ -223,6 +224,8 @@ public final class PointFrame extends HapticFrame {
   /**
    * Makes segments elastic. The point and its legs are then in material coordinates. Call it before
    * the first frame.
+   *
+   * @param contact belongs to the frame from now on
    */
   public void deform(ElasticContact contact) {
     elastic = contact;
@@ -248,7 +251,11 @@ public final class PointFrame extends HapticFrame {
     massive = body;
   }
 
-  /** Takes materials from grey values from now on. Call it before the first frame, last. */
+  /**
+   * Takes materials from grey values from now on. Call it before the first frame, last.
+   *
+   * @param materials belong to volumes that nobody changes while frames run
+   */
   public void use(GreyMaterials materials) {
     contactForce.use(materials);
     if (massive != null) {
@@ -256,7 +263,7 @@ public final class PointFrame extends HapticFrame {
     }
   }
 
-  /** Returns what {@link #give} gave, if anything. */
+  /** {@return what {@link #give} gave, if anything} */
   public Optional<MassiveContact> mass() {
     return Optional.ofNullable(massive);
   }
@@ -349,32 +356,40 @@ public final class PointFrame extends HapticFrame {
     publisher.publish(deviceGrid, presentPosition(), forceNewton, point.contact, frame);
   }
 
-  /** Changes materials and friction from the next frame on. Any thread. */
+  /**
+   * Changes materials and friction from the next frame on. Any thread.
+   *
+   * @param requested the new materials and the form of friction
+   */
   public void requestForce(ForceSettings requested) {
     requestedForce = requested;
   }
 
   /**
    * Changes the solver from the next frame on. The solver then belongs to the frame. Any thread.
+   *
+   * @param requested a solver that no other frame uses
    */
   public void requestSolver(ProxySolver requested) {
     requestedSolver = requested;
   }
 
   /**
-   * Returns where the interaction point is now, grid coordinates: its position, or, if segments are
-   * elastic, where the deformation carries it. It belongs to the frame.
+   * {@return where the interaction point is now, grid coordinates: its position, or, if segments
+   * are elastic, where the deformation carries it} It belongs to the frame.
    */
   public Vec3 presentPosition() {
     return elastic == null ? point.position : elastic.presentPosition();
   }
 
-  /** Returns the interaction point with the legs of the last frame. It belongs to the frame. */
+  /** {@return the interaction point with the legs of the last frame} It belongs to the frame. */
   public InteractionPoint point() {
     return point;
   }
 
-  /** Returns the work of the last frame that followed the device, see {@link ProxySolver#steps}. */
+  /**
+   * {@return the work of the last frame that followed the device, see {@link ProxySolver#steps}}
+   */
   public long work() {
     return solver.steps();
   }

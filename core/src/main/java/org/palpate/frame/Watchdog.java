@@ -73,7 +73,12 @@ public final class Watchdog {
     this.silenceNanos = silenceNanos;
   }
 
-  /** Returns 20 ms, or three report intervals if that is longer. */
+  /**
+   * {@return the time without a new sample after which a device counts as silent, ns: 20 ms, or
+   * three report intervals if that is longer}
+   *
+   * @param device states the interval of its reports
+   */
   public static long silenceNanosFor(DeviceSpecification device) {
     return Math.max(MIN_SILENCE_NANOS, SILENT_REPORTS * device.reportIntervalNanos());
   }
@@ -152,37 +157,37 @@ public final class Watchdog {
     return silent ? Verdict.SILENT : Verdict.HELD;
   }
 
-  /** Returns the number of frames without a new sample. */
+  /** {@return the number of frames without a new sample} */
   public long held() {
     return held;
   }
 
-  /** Returns the number of samples whose position was NaN or infinite. */
+  /** {@return the number of samples whose position was NaN or infinite} */
   public long notFinite() {
     return notFinite;
   }
 
-  /** Returns the number of samples with a time before that of the last sample. */
+  /** {@return the number of samples with a time before that of the last sample} */
   public long backwardTimes() {
     return backwardTimes;
   }
 
-  /** Returns the number of samples that a device with a clock delivered again. */
+  /** {@return the number of samples that a device with a clock delivered again} */
   public long stoppedTimes() {
     return stoppedTimes;
   }
 
-  /** Returns the number of silences of the device. */
+  /** {@return the number of silences of the device} */
   public long silences() {
     return silences;
   }
 
-  /** Returns the number of gaps between frames that were longer than a silence. */
+  /** {@return the number of gaps between frames that were longer than a silence} */
   public long gaps() {
     return gaps;
   }
 
-  /** Returns the number of times that the frame's own clock went back. */
+  /** {@return the number of times that the frame's own clock went back} */
   public long clockSetBacks() {
     return clockSetBacks;
   }

@@ -21,27 +21,57 @@ public final class AffineMap {
   public double offsetY;
   public double offsetZ;
 
-  /** Returns the image's x component. */
+  /**
+   * {@return the image's x component}
+   *
+   * @param px the x component of the point, in the frame that the map leads from
+   * @param py its y component
+   * @param pz its z component
+   */
   public double x(double px, double py, double pz) {
     return mXX * px + mXY * py + mXZ * pz + offsetX;
   }
 
-  /** Returns the image's y component. */
+  /**
+   * {@return the image's y component}
+   *
+   * @param px the x component of the point, in the frame that the map leads from
+   * @param py its y component
+   * @param pz its z component
+   */
   public double y(double px, double py, double pz) {
     return mYX * px + mYY * py + mYZ * pz + offsetY;
   }
 
-  /** Returns the image's z component. */
+  /**
+   * {@return the image's z component}
+   *
+   * @param px the x component of the point, in the frame that the map leads from
+   * @param py its y component
+   * @param pz its z component
+   */
   public double z(double px, double py, double pz) {
     return mZX * px + mZY * py + mZZ * pz + offsetZ;
   }
 
-  /** Writes the image of a point into {@code dest}, which may be the point. */
+  /**
+   * Writes the image of a point.
+   *
+   * @param p the point, in the frame that the map leads from
+   * @param dest receives the image; may be {@code p}
+   * @return {@code dest}
+   */
   public Vec3 transform(Vec3 p, Vec3 dest) {
     return dest.set(x(p.x, p.y, p.z), y(p.x, p.y, p.z), z(p.x, p.y, p.z));
   }
 
-  /** Writes the image of a direction, without the offset, into {@code dest}. */
+  /**
+   * Writes the image of a direction, without the offset.
+   *
+   * @param v the direction, in the frame that the map leads from
+   * @param dest receives the image, not normalized; may be {@code v}
+   * @return {@code dest}
+   */
   public Vec3 transformDirection(Vec3 v, Vec3 dest) {
     return dest.set(
         mXX * v.x + mXY * v.y + mXZ * v.z,
@@ -49,7 +79,12 @@ public final class AffineMap {
         mZX * v.x + mZY * v.y + mZZ * v.z);
   }
 
-  /** Copies the other map. */
+  /**
+   * Copies the other map.
+   *
+   * @param o the map to copy
+   * @return this map
+   */
   public AffineMap set(AffineMap o) {
     setFirstRows(o.mXX, o.mXY, o.mXZ, o.mYX, o.mYY, o.mYZ);
     return setLastRowAndOffset(o.mZX, o.mZY, o.mZZ, o.offsetX, o.offsetY, o.offsetZ);
@@ -75,7 +110,12 @@ public final class AffineMap {
     return this;
   }
 
-  /** Sets the map of a pose: rotation, then translation. */
+  /**
+   * Sets the map of a pose: rotation, then translation.
+   *
+   * @param pose the pose, with a unit quaternion; it is copied
+   * @return this map
+   */
   public AffineMap set(Pose pose) {
     double w = pose.rotation.w;
     double x = pose.rotation.x;
@@ -97,7 +137,12 @@ public final class AffineMap {
         pose.translation.z);
   }
 
-  /** Sets the inverse map of a pose. */
+  /**
+   * Sets the inverse map of a pose.
+   *
+   * @param pose the pose, with a unit quaternion; it is copied
+   * @return this map, which leads from the frame of the pose's images back to the object's own
+   */
   public AffineMap setInverse(Pose pose) {
     set(pose);
     double rowXLast = mXZ;
@@ -120,6 +165,7 @@ public final class AffineMap {
    *
    * @param gridMmToWorld from the grid's frame in mm to the world, orthonormal
    * @param spacingMm the edges of a voxel, mm
+   * @return this map
    */
   public AffineMap setInverseGrid(RigidTransform gridMmToWorld, Vec3 spacingMm) {
     Vec3 x = gridMmToWorld.axisX();
@@ -132,14 +178,25 @@ public final class AffineMap {
     return setLastRowAndOffset(mZX, mZY, mZZ, -origin.x, -origin.y, -origin.z);
   }
 
-  /** Sets the map from a grid's frame in mm to the world. */
+  /**
+   * Sets the map from a grid's frame in mm to the world.
+   *
+   * @param t from the grid's frame in mm to the world; it is copied
+   * @return this map
+   */
   public AffineMap set(RigidTransform t) {
     setFirstRows(t.axisX().x, t.axisY().x, t.axisZ().x, t.axisX().y, t.axisY().y, t.axisZ().y);
     return setLastRowAndOffset(
         t.axisX().z, t.axisY().z, t.axisZ().z, t.origin().x, t.origin().y, t.origin().z);
   }
 
-  /** Writes the map that applies {@code first} and then this; {@code dest} is neither of them. */
+  /**
+   * Writes the map that applies another one and then this.
+   *
+   * @param first the map that is applied first
+   * @param dest receives the product; neither this map nor {@code first}
+   * @return {@code dest}
+   */
   public AffineMap multiply(AffineMap first, AffineMap dest) {
     dest.setFirstRows(
         mXX * first.mXX + mXY * first.mYX + mXZ * first.mZX,
@@ -158,9 +215,10 @@ public final class AffineMap {
   }
 
   /**
-   * Returns the largest distance along an axis between the images of any point under this map and
-   * another. It is rounded up, apart from the rounding of the maps themselves.
+   * {@return the largest distance along an axis between the images of any point under this map and
+   * another} It is rounded up, apart from the rounding of the maps themselves.
    *
+   * @param b the other map, from and to the same frames as this
    * @param radius the largest distance of a point from the origin
    */
   public double longestMotionTo(AffineMap b, double radius) {
@@ -176,7 +234,11 @@ public final class AffineMap {
     return (Math.abs(offset) + turned) * (1 + 1e-12);
   }
 
-  /** Whether another map has the same bits, so that it gives the same images. */
+  /**
+   * {@return whether another map has the same bits, so that it gives the same images}
+   *
+   * @param o the other map
+   */
   public boolean sameBits(AffineMap o) {
     return sameRow(mXX, mXY, mXZ, offsetX, o.mXX, o.mXY, o.mXZ, o.offsetX)
         && sameRow(mYX, mYY, mYZ, offsetY, o.mYX, o.mYY, o.mYZ, o.offsetY)
@@ -192,7 +254,11 @@ public final class AffineMap {
     return Double.doubleToRawLongBits(a) == Double.doubleToRawLongBits(b);
   }
 
-  /** Returns the sum of the absolute components of the offsets of this map and another. */
+  /**
+   * {@return the sum of the absolute components of the offsets of this map and another}
+   *
+   * @param o the other map
+   */
   public double sumOfOffsets(AffineMap o) {
     return Math.abs(offsetX)
         + Math.abs(offsetY)

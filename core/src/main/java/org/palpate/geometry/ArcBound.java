@@ -24,6 +24,7 @@ public final class ArcBound {
   /**
    * Sets the bound for points that turn.
    *
+   * @param turnRad the angle by which they turn, rad, at least 0
    * @param centre the point about which they turn, in their frame, mm
    */
   public void setPointsTurn(double turnRad, Vec3 centre) {
@@ -35,6 +36,8 @@ public final class ArcBound {
   /**
    * Sets the bound for a body that turns about its reference point.
    *
+   * @param shiftMm the distance by which the reference point moves, mm
+   * @param turnRad the angle by which the body turns, rad, at least 0
    * @param centre the reference point before the motion, in the frame of the points, mm
    */
   public void setBodyTurns(double shiftMm, double turnRad, Vec3 centre) {
@@ -50,10 +53,11 @@ public final class ArcBound {
   }
 
   /**
-   * Returns the largest deviation of a point from its chord, in the frame of a body that turns and
-   * shifts.
+   * {@return the largest deviation of a point from its chord, in the frame of a body that turns and
+   * shifts, mm}
    *
    * @param shiftMm the motion of the body's reference point
+   * @param turnRad the angle by which the body turns, rad, at least 0
    * @param distanceMm the largest distance of the point from that reference point
    */
   public static double ofTurningBody(double shiftMm, double turnRad, double distanceMm) {
@@ -61,7 +65,7 @@ public final class ArcBound {
   }
 
   /**
-   * Returns a radius about the reference point of a body that turns and shifts. A point that stays
+   * {@return a radius about the reference point of a body that turns and shifts} A point that stays
    * farther from the moving reference point touches nothing of the body, neither on its arc nor on
    * its chord in the frame of the body.
    *
@@ -86,7 +90,14 @@ public final class ArcBound {
     return (radiusMm + (2 * turnRad + square) * shiftMm / 8) / (1 - square / 8);
   }
 
-  /** Returns the largest deviation of a point of a sphere in the frame of the points, mm. */
+  /**
+   * {@return the largest deviation of a point of a sphere in the frame of the points, mm}
+   *
+   * @param x the x component of the sphere's centre, in the frame of the points, mm
+   * @param y its y component
+   * @param z its z component
+   * @param radiusMm the radius of the sphere, mm
+   */
   public double deviationMm(double x, double y, double z, double radiusMm) {
     double a = x - centreX;
     double b = y - centreY;

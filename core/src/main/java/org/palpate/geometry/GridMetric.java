@@ -33,20 +33,35 @@ public record GridMetric(double spacingX, double spacingY, double spacingZ) {
     }
   }
 
-  /** Whether a voxel edge may have this length, mm; false for NaN. */
+  /**
+   * {@return whether a voxel edge may have a length; false for NaN}
+   *
+   * @param mm the length, mm
+   */
   public static boolean isValidSpacing(double mm) {
     return mm >= MIN_SPACING_MM && mm <= MAX_SPACING_MM;
   }
 
-  /** Returns the metric of a grid with this spacing, mm. */
+  /**
+   * {@return the metric of a grid}
+   *
+   * @param spacingMm the edges of a voxel along x, y and z, mm; copied
+   */
   public static GridMetric of(Vec3 spacingMm) {
     return new GridMetric(spacingMm.x, spacingMm.y, spacingMm.z);
   }
 
   /**
-   * Returns the squared distance of two points, mm^2. Solvers decide by this formula alone whether
+   * {@return the squared distance of two points, mm^2} Solvers decide by this formula alone whether
    * a point is strictly nearer. It has no fused multiply-add, so that the bits are the same on
    * every JDK.
+   *
+   * @param x0 the x component of the first point, in grid coordinates as are all others
+   * @param y0 its y component
+   * @param z0 its z component
+   * @param x1 the x component of the second point
+   * @param y1 its y component
+   * @param z1 its z component
    */
   public double squaredDistance(double x0, double y0, double z0, double x1, double y1, double z1) {
     double x = (x1 - x0) * spacingX;
@@ -55,12 +70,21 @@ public record GridMetric(double spacingX, double spacingY, double spacingZ) {
     return x * x + y * y + z * z;
   }
 
-  /** Returns the distance of two points, mm. */
+  /**
+   * {@return the distance of two points, mm}
+   *
+   * @param x0 the x component of the first point, in grid coordinates as are all others
+   * @param y0 its y component
+   * @param z0 its z component
+   * @param x1 the x component of the second point
+   * @param y1 its y component
+   * @param z1 its z component
+   */
   public double distance(double x0, double y0, double z0, double x1, double y1, double z1) {
     return Math.sqrt(squaredDistance(x0, y0, z0, x1, y1, z1));
   }
 
-  /** Returns the shortest edge of a voxel, mm. */
+  /** {@return the shortest edge of a voxel, mm} */
   public double shortestEdgeMm() {
     return Math.min(spacingX, Math.min(spacingY, spacingZ));
   }

@@ -24,12 +24,18 @@ public final class IntBox {
     highX = highY = highZ = Integer.MIN_VALUE;
   }
 
-  /** Whether the box contains no cell. Compares the ends along x, see above. */
+  /** {@return whether the box contains no cell} Compares the ends along x, see above. */
   public boolean isEmpty() {
     return lowX > highX;
   }
 
-  /** Grows the box so that it contains the cell. */
+  /**
+   * Grows the box so that it contains the cell.
+   *
+   * @param i the number of the cell along x
+   * @param j its number along y
+   * @param k its number along z
+   */
   public void include(int i, int j, int k) {
     lowX = Math.min(lowX, i);
     lowY = Math.min(lowY, j);
@@ -39,7 +45,11 @@ public final class IntBox {
     highZ = Math.max(highZ, k);
   }
 
-  /** Grows the box so that it contains another, which may be empty. */
+  /**
+   * Grows the box so that it contains another, which may be empty.
+   *
+   * @param other the box to contain; not changed
+   */
   public void include(IntBox other) {
     if (!other.isEmpty()) {
       include(other.lowX, other.lowY, other.lowZ);
@@ -47,7 +57,12 @@ public final class IntBox {
     }
   }
 
-  /** Copies {@code other} and returns this. */
+  /**
+   * Copies another box.
+   *
+   * @param other the box to copy, perhaps empty
+   * @return this box
+   */
   public IntBox set(IntBox other) {
     lowX = other.lowX;
     lowY = other.lowY;
@@ -58,12 +73,23 @@ public final class IntBox {
     return this;
   }
 
-  /** Whether the box contains the cell. */
+  /**
+   * {@return whether the box contains the cell}
+   *
+   * @param i the number of the cell along x
+   * @param j its number along y
+   * @param k its number along z
+   */
   public boolean contains(int i, int j, int k) {
     return i >= lowX && i <= highX && j >= lowY && j <= highY && k >= lowZ && k <= highZ;
   }
 
-  /** Whether a point lies in the box, whose cells are closed. */
+  /**
+   * {@return whether a point lies in the box, whose cells are closed}
+   *
+   * @param p the point, in the coordinates in which cell (i,j,k) is the cube from (i,j,k) to
+   *     (i+1,j+1,k+1)
+   */
   public boolean touches(Vec3 p) {
     return p.x >= lowX
         && p.x <= highX + 1.0
@@ -73,7 +99,11 @@ public final class IntBox {
         && p.z <= highZ + 1.0;
   }
 
-  /** Whether the two boxes share a cell. */
+  /**
+   * {@return whether the two boxes share a cell}
+   *
+   * @param other the box to compare with; an empty one shares no cell
+   */
   public boolean meets(IntBox other) {
     return lowX <= other.highX
         && other.lowX <= highX
@@ -84,8 +114,10 @@ public final class IntBox {
   }
 
   /**
-   * Grows the box, which must not be empty, by {@code cells} on each side and returns this. Stops
-   * at the ends of the int range.
+   * Grows the box, which must not be empty, on each side. Stops at the ends of the int range.
+   *
+   * @param cells the number of cells that are added on each side
+   * @return this box
    */
   public IntBox grow(int cells) {
     lowX = (int) Math.max(Integer.MIN_VALUE, (long) lowX - cells);

@@ -2,15 +2,27 @@ package org.palpate.geometry;
 
 /** Points by index, such as the sample points of a tool. They do not change. */
 public interface PointSet {
-  /** Returns the number of points. */
+  /** {@return the number of points} */
   int count();
 
-  /** Returns the x coordinate of a point. */
+  /**
+   * {@return the x coordinate of a point}
+   *
+   * @param point the number of the point, from 0
+   */
   double x(int point);
 
-  /** Returns the y coordinate of a point. */
+  /**
+   * {@return the y coordinate of a point}
+   *
+   * @param point the number of the point, from 0
+   */
   double y(int point);
 
-  /** Returns the z coordinate of a point. */
+  /**
+   * {@return the z coordinate of a point}
+   *
+   * @param point the number of the point, from 0
+   */
   double z(int point);
 }

@@ -13,52 +13,95 @@ public final class Pose {
   /** The rotation, of norm 1 in every pose that transforms something. */
   public final Quaternion rotation = new Quaternion();
 
-  /** Returns a pose that does not turn its object, and puts the object's origin at (x,y,z), mm. */
+  /**
+   * {@return a pose that does not turn its object}
+   *
+   * @param x the x component to which the object's origin goes, mm
+   * @param y its y component
+   * @param z its z component
+   */
   public static Pose at(double x, double y, double z) {
     Pose pose = new Pose();
     pose.translation.set(x, y, z);
     return pose;
   }
 
-  /** Copies the other pose. */
+  /**
+   * Copies the other pose.
+   *
+   * @param other the pose to copy
+   * @return this pose
+   */
   public Pose set(Pose other) {
     translation.set(other.translation);
     rotation.set(other.rotation);
     return this;
   }
 
-  /** Copies a translation, mm, and a rotation. */
+  /**
+   * Copies a translation and a rotation.
+   *
+   * @param newTranslation the translation, mm
+   * @param newRotation the rotation, a unit quaternion
+   * @return this pose
+   */
   public Pose set(Vec3 newTranslation, Quaternion newRotation) {
     translation.set(newTranslation);
     rotation.set(newRotation);
     return this;
   }
 
-  /** Copies a motion whose axes are orthonormal and right-handed, up to rounding. */
+  /**
+   * Copies a motion.
+   *
+   * @param motion its axes are orthonormal and right-handed, up to rounding; its origin is in mm
+   * @return this pose
+   */
   public Pose set(RigidTransform motion) {
     translation.set(motion.origin());
     rotation.setAxes(motion.axisX(), motion.axisY(), motion.axisZ());
     return this;
   }
 
-  /** Sets the pose that moves nothing. */
+  /**
+   * Sets the pose that moves nothing.
+   *
+   * @return this pose
+   */
   public Pose setIdentity() {
     translation.set(0, 0, 0);
     rotation.setIdentity();
     return this;
   }
 
-  /** Writes the image of a point into {@code dest}, which may be the point. */
+  /**
+   * Writes the image of a point.
+   *
+   * @param point in the frame that the pose leads from, mm
+   * @param dest receives the image; may be the point
+   * @return {@code dest}
+   */
   public Vec3 transform(Vec3 point, Vec3 dest) {
     return rotation.rotate(point, dest).add(translation, dest);
   }
 
-  /** Writes the point whose image is {@code point} into {@code dest}, which may be the point. */
+  /**
+   * Writes the point whose image is given.
+   *
+   * @param point the image, in the frame that the pose leads to, mm
+   * @param dest receives the point; may be the image
+   * @return {@code dest}
+   */
   public Vec3 inverseTransform(Vec3 point, Vec3 dest) {
     return rotation.inverseRotate(point.sub(translation, dest), dest);
   }
 
-  /** Writes the same motion into the vectors of {@code dest}. */
+  /**
+   * Writes the same motion into the vectors of {@code dest}.
+   *
+   * @param dest its four vectors are overwritten
+   * @return {@code dest}
+   */
   public RigidTransform transform(RigidTransform dest) {
     rotation.rotate(dest.axisX().set(1, 0, 0), dest.axisX());
     rotation.rotate(dest.axisY().set(0, 1, 0), dest.axisY());
@@ -67,7 +110,13 @@ public final class Pose {
     return dest;
   }
 
-  /** Writes the pose that applies {@code first} and then this; {@code dest} may be either. */
+  /**
+   * Writes the pose that applies another one and then this.
+   *
+   * @param first the pose that is applied first
+   * @param dest receives the product; may be this pose or {@code first}
+   * @return {@code dest}
+   */
   public Pose multiply(Pose first, Pose dest) {
     double x = translation.x;
     double y = translation.y;
@@ -78,7 +127,13 @@ public final class Pose {
     return dest;
   }
 
-  /** Writes the pose that applies {@code first} and then the inverse of this; dest is neither. */
+  /**
+   * Writes the pose that applies another one and then the inverse of this.
+   *
+   * @param first the pose that is applied first
+   * @param dest receives the product; neither this pose nor {@code first}
+   * @return {@code dest}
+   */
   public Pose inverseMultiply(Pose first, Pose dest) {
     inverseTransform(first.translation, dest.translation);
     rotation.conjugate(dest.rotation).multiply(first.rotation, dest.rotation);
@@ -93,6 +148,7 @@ public final class Pose {
    * @param fraction how much of both to apply
    * @param scratch overwritten
    * @param dest may be this
+   * @return {@code dest}
    */
   public Pose displace(
       Vec3 displacementMm, Vec3 rotationVector, double fraction, Quaternion scratch, Pose dest) {
@@ -112,6 +168,7 @@ public final class Pose {
    * Writes the displacement of the origin and the rotation about it, the short way around, that
    * lead from this pose to another: the inverse of {@link #displace}.
    *
+   * @param other the pose to reach
    * @param displacementMm written, world mm
    * @param rotationVector written, world axes, rad, at most pi long
    * @param scratch overwritten
@@ -128,9 +185,11 @@ public final class Pose {
    * Writes the pose a part of the way to another: straight for the origin, at a constant rate about
    * one axis for the rotation, the short way around.
    *
+   * @param other the pose to reach
    * @param fraction 0 for this pose, 1 for the other
    * @param scratch two vectors and a quaternion, all overwritten
    * @param dest may be this
+   * @return {@code dest}
    */
   public Pose interpolate(Pose other, double fraction, Scratch scratch, Pose dest) {
     differenceTo(other, scratch.displacement, scratch.rotation, scratch.quaternion);
@@ -144,12 +203,16 @@ public final class Pose {
     private final Quaternion quaternion = new Quaternion();
   }
 
-  /** Whether no component is NaN or infinite. */
+  /** {@return whether no component is NaN or infinite} */
   public boolean isFinite() {
     return translation.isFinite() && rotation.isFinite();
   }
 
-  /** Whether both hold the same bits. */
+  /**
+   * {@return whether both hold the same bits}
+   *
+   * @param other the pose to compare with
+   */
   public boolean sameBits(Pose other) {
     return translation.sameBits(other.translation) && rotation.sameBits(other.rotation);
   }

@@ -35,12 +35,27 @@ public final class Quaternion {
   /** Creates the identity. */
   public Quaternion() {}
 
-  /** Creates a quaternion from its four components. */
+  /**
+   * Creates a quaternion from its four components.
+   *
+   * @param w the real part
+   * @param x the first imaginary part
+   * @param y the second
+   * @param z the third
+   */
   public Quaternion(double w, double x, double y, double z) {
     set(w, x, y, z);
   }
 
-  /** Sets the four components. */
+  /**
+   * Sets the four components.
+   *
+   * @param newW the real part
+   * @param newX the first imaginary part
+   * @param newY the second
+   * @param newZ the third
+   * @return this quaternion
+   */
   public Quaternion set(double newW, double newX, double newY, double newZ) {
     w = newW;
     x = newX;
@@ -49,12 +64,21 @@ public final class Quaternion {
     return this;
   }
 
-  /** Copies the other quaternion. */
+  /**
+   * Copies the other quaternion.
+   *
+   * @param other the quaternion to copy
+   * @return this quaternion
+   */
   public Quaternion set(Quaternion other) {
     return set(other.w, other.x, other.y, other.z);
   }
 
-  /** Sets the identity. */
+  /**
+   * Sets the identity.
+   *
+   * @return this quaternion
+   */
   public Quaternion setIdentity() {
     return set(1, 0, 0, 0);
   }
@@ -63,6 +87,7 @@ public final class Quaternion {
    * Sets the rotation about an axis by the vector's length, rad: the exponential map.
    *
    * @param rotation the rotation vector, rad
+   * @return this quaternion
    */
   public Quaternion setRotationVector(Vec3 rotation) {
     double angle = rotation.length();
@@ -84,6 +109,7 @@ public final class Quaternion {
    *     rounding
    * @param axisY the image of the y axis
    * @param axisZ the image of the z axis
+   * @return this quaternion
    */
   public Quaternion setAxes(Vec3 axisX, Vec3 axisY, Vec3 axisZ) {
     double trace = axisX.x + axisY.y + axisZ.z;
@@ -103,6 +129,9 @@ public final class Quaternion {
   /**
    * Writes the rotation vector, rad, of at most pi in length: the logarithm of the shorter of the
    * two ways around. This quaternion has the norm 1.
+   *
+   * @param dest receives the rotation vector, rad
+   * @return {@code dest}
    */
   public Vec3 rotationVector(Vec3 dest) {
     double sign = w < 0 ? -1 : 1;
@@ -114,22 +143,26 @@ public final class Quaternion {
     return dest.set(scale * x, scale * y, scale * z);
   }
 
-  /** Returns the angle of the rotation, rad, from 0 to pi. */
+  /** {@return the angle of the rotation, rad, from 0 to pi} */
   public double angle() {
     return 2 * StrictMath.atan2(Math.sqrt(x * x + y * y + z * z), Math.abs(w));
   }
 
-  /** Returns the scalar product of the two as vectors of four components. */
+  /**
+   * {@return the scalar product of the two as vectors of four components}
+   *
+   * @param other the second factor
+   */
   public double dot(Quaternion other) {
     return w * other.w + x * other.x + y * other.y + z * other.z;
   }
 
-  /** Returns the length as a vector of four components. */
+  /** {@return the length as a vector of four components} */
   public double norm() {
     return Math.sqrt(dot(this));
   }
 
-  /** Whether the norm is 1 up to {@link #NORM_TOLERANCE}, as that of an orientation is. */
+  /** {@return whether the norm is 1 up to {@link #NORM_TOLERANCE}, as that of an orientation is} */
   public boolean isNearUnit() {
     return Math.abs(norm() - 1) <= NORM_TOLERANCE;
   }
@@ -152,22 +185,38 @@ public final class Quaternion {
     return true;
   }
 
-  /** Whether the norm is 1 up to rounding: its square differs from 1 by at most 1e-12. */
+  /** {@return whether the norm is 1 up to rounding: its square differs from 1 by at most 1e-12} */
   public boolean isUnit() {
     return Math.abs(dot(this) - 1) <= UNIT_TOLERANCE;
   }
 
-  /** Writes minus this, the same rotation. */
+  /**
+   * Writes minus this, the same rotation.
+   *
+   * @param dest receives the result
+   * @return {@code dest}
+   */
   public Quaternion negate(Quaternion dest) {
     return dest.set(-w, -x, -y, -z);
   }
 
-  /** Writes the conjugate: for a unit quaternion, the inverse rotation. */
+  /**
+   * Writes the conjugate: for a unit quaternion, the inverse rotation.
+   *
+   * @param dest receives the result
+   * @return {@code dest}
+   */
   public Quaternion conjugate(Quaternion dest) {
     return dest.set(w, -x, -y, -z);
   }
 
-  /** Writes the product this times {@code other}: the rotation by {@code other} first. */
+  /**
+   * Writes the product of this and another quaternion, the rotation by the other one first.
+   *
+   * @param other the right factor
+   * @param dest receives the product
+   * @return {@code dest}
+   */
   public Quaternion multiply(Quaternion other, Quaternion dest) {
     return dest.set(
         w * other.w - x * other.x - y * other.y - z * other.z,
@@ -176,7 +225,13 @@ public final class Quaternion {
         w * other.z + z * other.w + x * other.y - y * other.x);
   }
 
-  /** Writes the rotated vector. This quaternion has the norm 1. */
+  /**
+   * Writes the rotated vector. This quaternion has the norm 1.
+   *
+   * @param vector the vector to rotate
+   * @param dest receives the rotated vector; may be {@code vector}
+   * @return {@code dest}
+   */
   public Vec3 rotate(Vec3 vector, Vec3 dest) {
     double tx = 2 * (y * vector.z - z * vector.y);
     double ty = 2 * (z * vector.x - x * vector.z);
@@ -187,7 +242,13 @@ public final class Quaternion {
         vector.z + w * tz + x * ty - y * tx);
   }
 
-  /** Writes the vector that this rotates into {@code vector}. This quaternion has the norm 1. */
+  /**
+   * Writes the vector that this rotates into a given one. This quaternion has the norm 1.
+   *
+   * @param vector the rotated vector
+   * @param dest receives the vector before the rotation; may be {@code vector}
+   * @return {@code dest}
+   */
   public Vec3 inverseRotate(Vec3 vector, Vec3 dest) {
     double tx = 2 * (z * vector.y - y * vector.z);
     double ty = 2 * (x * vector.z - z * vector.x);
@@ -198,12 +259,16 @@ public final class Quaternion {
         vector.z + w * tz - x * ty + y * tx);
   }
 
-  /** Whether no component is NaN or infinite. */
+  /** {@return whether no component is NaN or infinite} */
   public boolean isFinite() {
     return Double.isFinite(w) && Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
   }
 
-  /** Whether both hold the same bits. */
+  /**
+   * {@return whether both hold the same bits}
+   *
+   * @param other the quaternion to compare with
+   */
   public boolean sameBits(Quaternion other) {
     return Double.doubleToRawLongBits(w) == Double.doubleToRawLongBits(other.w)
         && Double.doubleToRawLongBits(x) == Double.doubleToRawLongBits(other.x)

@@ -17,24 +17,33 @@ public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
   /** The largest error of a length or a dot product of axes that count as orthonormal. */
   public static final double ORTHONORMAL_TOLERANCE = 1e-4;
 
-  /** Returns a new identity transform. */
+  /** {@return a new identity transform} */
   public static RigidTransform identity() {
     return new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3());
   }
 
-  /** Whether this mirrors, so that it turns right-handed axes into left-handed ones. */
+  /** {@return whether this mirrors, so that it turns right-handed axes into left-handed ones} */
   public boolean isMirrored() {
     return axisX.dot(axisY.cross(axisZ, new Vec3())) < 0;
   }
 
-  /** Writes the image of {@code point} into {@code dest}, which may be {@code point}. */
+  /**
+   * Writes the image of a point.
+   *
+   * @param point in the frame that the transform leads from, in the unit of the origin
+   * @param dest receives the image; may be {@code point}
+   * @return {@code dest}
+   */
   public Vec3 transform(Vec3 point, Vec3 dest) {
     return rotate(point, dest).add(origin, dest);
   }
 
   /**
-   * Writes the image of the direction {@code vector} into {@code dest}, which may be {@code
-   * vector}.
+   * Writes the image of a direction, without the translation.
+   *
+   * @param vector in the frame that the transform leads from
+   * @param dest receives the image; may be {@code vector}
+   * @return {@code dest}
    */
   public Vec3 rotate(Vec3 vector, Vec3 dest) {
     double x = vector.x;
@@ -46,7 +55,11 @@ public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
         axisX.z * x + axisY.z * y + axisZ.z * z);
   }
 
-  /** Whether both have the same bits. */
+  /**
+   * {@return whether both have the same bits}
+   *
+   * @param other the transform to compare with
+   */
   public boolean sameBits(RigidTransform other) {
     return axisX.sameBits(other.axisX)
         && axisY.sameBits(other.axisY)
@@ -54,7 +67,11 @@ public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
         && origin.sameBits(other.origin);
   }
 
-  /** Returns the transform that applies {@code first} and then this. */
+  /**
+   * {@return a new transform that applies another one and then this}
+   *
+   * @param first the transform that is applied first
+   */
   public RigidTransform multiply(RigidTransform first) {
     return new RigidTransform(
         rotate(first.axisX, new Vec3()),
@@ -64,21 +81,28 @@ public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
   }
 
   /**
-   * Writes the point whose image is {@code point} into {@code dest}, which may be {@code point}.
+   * Writes the point whose image is given.
+   *
+   * @param point the image, in the frame that the transform leads to
+   * @param dest receives the point; may be {@code point}
+   * @return {@code dest}
    */
   public Vec3 inverseTransform(Vec3 point, Vec3 dest) {
     return inverseRotate(point.sub(origin, dest), dest);
   }
 
   /**
-   * Writes the direction whose image is {@code vector} into {@code dest}, which may be {@code
-   * vector}.
+   * Writes the direction whose image is given.
+   *
+   * @param vector the image, in the frame that the transform leads to
+   * @param dest receives the direction; may be {@code vector}
+   * @return {@code dest}
    */
   public Vec3 inverseRotate(Vec3 vector, Vec3 dest) {
     return dest.set(axisX.dot(vector), axisY.dot(vector), axisZ.dot(vector));
   }
 
-  /** Whether the axes are orthogonal unit vectors, to {@link #ORTHONORMAL_TOLERANCE}. */
+  /** {@return whether the axes are orthogonal unit vectors, to {@link #ORTHONORMAL_TOLERANCE}} */
   public boolean isOrthonormal() {
     return isUnit(axisX)
         && isUnit(axisY)
@@ -89,8 +113,8 @@ public record RigidTransform(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
   }
 
   /**
-   * Returns a bound of the relative change of lengths, 0 for orthonormal axes: the Frobenius norm
-   * of A^T A - I, where A has the axes as columns. The transposed matrix has the same bound.
+   * {@return a bound of the relative change of lengths, 0 for orthonormal axes: the Frobenius norm
+   * of A^T A - I, where A has the axes as columns} The transposed matrix has the same bound.
    */
   public double distortion() {
     double x = axisX.dot(axisX) - 1;

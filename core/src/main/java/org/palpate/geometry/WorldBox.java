@@ -17,14 +17,23 @@ public final class WorldBox {
     clear();
   }
 
-  /** Makes the box empty, and returns it. */
+  /**
+   * Makes the box empty.
+   *
+   * @return this box
+   */
   public WorldBox clear() {
     lowX = lowY = lowZ = Double.POSITIVE_INFINITY;
     highX = highY = highZ = Double.NEGATIVE_INFINITY;
     return this;
   }
 
-  /** Copies another box, and returns this one. */
+  /**
+   * Copies another box.
+   *
+   * @param o the box to copy
+   * @return this box
+   */
   public WorldBox set(WorldBox o) {
     lowX = o.lowX;
     lowY = o.lowY;
@@ -35,7 +44,12 @@ public final class WorldBox {
     return this;
   }
 
-  /** Grows the box so that it contains a point, and returns it. */
+  /**
+   * Grows the box so that it contains a point.
+   *
+   * @param p the point, world mm
+   * @return this box
+   */
   public WorldBox include(Vec3 p) {
     lowX = Math.min(lowX, p.x);
     lowY = Math.min(lowY, p.y);
@@ -47,10 +61,12 @@ public final class WorldBox {
   }
 
   /**
-   * Sets the box around the image of a box of cells, which are closed, and returns this one.
+   * Sets the box around the image of a box of cells, which are closed.
    *
+   * @param toWorld from the coordinates of the cells to world mm
    * @param cells not empty
    * @param margin the number of cells that are added on each side
+   * @return this box
    */
   public WorldBox setImage(AffineMap toWorld, IntBox cells, int margin) {
     double x = 0.5 * (cells.highX + 1.0 + cells.lowX);
@@ -78,7 +94,13 @@ public final class WorldBox {
     return Math.abs(a) * x + Math.abs(b) * y + Math.abs(c) * z;
   }
 
-  /** Sets the smallest box that contains two others, and returns this one, which may be either. */
+  /**
+   * Sets the smallest box that contains two others.
+   *
+   * @param a the first box, which may be this one
+   * @param b the second box, which may be this one
+   * @return this box
+   */
   public WorldBox setUnion(WorldBox a, WorldBox b) {
     lowX = Math.min(a.lowX, b.lowX);
     lowY = Math.min(a.lowY, b.lowY);
@@ -89,7 +111,12 @@ public final class WorldBox {
     return this;
   }
 
-  /** Moves each side outwards, mm, and returns this. */
+  /**
+   * Moves each side outwards.
+   *
+   * @param mm the distance of each side, mm
+   * @return this box
+   */
   public WorldBox grow(double mm) {
     lowX -= mm;
     lowY -= mm;
@@ -100,7 +127,7 @@ public final class WorldBox {
     return this;
   }
 
-  /** Returns the largest absolute coordinate of a box that is not empty, mm. */
+  /** {@return the largest absolute coordinate of a box that is not empty, mm} */
   public double farthestMm() {
     double x = Math.max(Math.abs(lowX), Math.abs(highX));
     double y = Math.max(Math.abs(lowY), Math.abs(highY));
@@ -108,12 +135,16 @@ public final class WorldBox {
     return Math.max(x, Math.max(y, z));
   }
 
-  /** Returns the sum of the edges along the three axes, mm. */
+  /** {@return the sum of the edges along the three axes, mm} */
   public double edgesMm() {
     return highX - lowX + (highY - lowY) + (highZ - lowZ);
   }
 
-  /** Whether two boxes have a point in common. An empty box has none. */
+  /**
+   * {@return whether two boxes have a point in common} An empty box has none.
+   *
+   * @param o the box to compare with
+   */
   public boolean meets(WorldBox o) {
     return lowX <= o.highX
         && o.lowX <= highX
@@ -123,7 +154,11 @@ public final class WorldBox {
         && o.lowZ <= highZ;
   }
 
-  /** Whether the box contains all points of another. */
+  /**
+   * {@return whether the box contains all points of another}
+   *
+   * @param o the box that may lie inside
+   */
   public boolean contains(WorldBox o) {
     return lowX <= o.lowX
         && o.highX <= highX

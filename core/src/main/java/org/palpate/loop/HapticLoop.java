@@ -51,6 +51,8 @@ public final class HapticLoop implements AutoCloseable {
   /**
    * Makes a loop that has not started.
    *
+   * @param frame the work of each period; it belongs to the loop until the end
+   * @param settings the period, the clock and the set-up of the thread
    * @param listener receives the end, once
    */
   public HapticLoop(HapticFrame frame, LoopSettings settings, Consumer<LoopEnd> listener) {
@@ -182,6 +184,8 @@ public final class HapticLoop implements AutoCloseable {
   /**
    * Waits for the end.
    *
+   * @param timeout the longest time to wait
+   * @param unit the unit of the timeout
    * @return whether the loop has ended
    */
   public boolean awaitEnd(long timeout, TimeUnit unit) {
@@ -202,17 +206,17 @@ public final class HapticLoop implements AutoCloseable {
     }
   }
 
-  /** Returns how the loop ended, or null while it runs. */
+  /** {@return how the loop ended, or null while it runs} */
   public LoopEnd end() {
     return end.get();
   }
 
-  /** Returns the present status. */
+  /** {@return the present status} */
   public LoopStatus status() {
     return pacedLoop.status();
   }
 
-  /** Returns the measurements: complete after the end, before that accurate to about a frame. */
+  /** {@return the measurements: complete after the end, before that accurate to about a frame} */
   public LoopReport report() {
     return pacedLoop.report(granted);
   }

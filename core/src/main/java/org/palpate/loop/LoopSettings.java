@@ -38,7 +38,11 @@ public record LoopSettings(
     }
   }
 
-  /** Returns settings with the JDK's clock and waits, without thread set-up and warm-up. */
+  /**
+   * {@return settings with the JDK's clock and waits, without thread set-up and warm-up}
+   *
+   * @param hertz the number of frames in a second
+   */
   public static LoopSettings ofRate(double hertz) {
     return new LoopSettings(
         Math.round(1e9 / hertz),
@@ -49,12 +53,21 @@ public record LoopSettings(
         DEFAULT_HANG_NANOS);
   }
 
-  /** Returns these settings with another pacer and thread set-up. */
+  /**
+   * {@return these settings with another pacer and thread set-up}
+   *
+   * @param newPacer waits for the time of each frame
+   * @param newThreadSetup prepares the haptic thread
+   */
   public LoopSettings with(Pacer newPacer, ThreadSetup newThreadSetup) {
     return new LoopSettings(periodNanos, clock, newPacer, newThreadSetup, warmUp, hangNanos);
   }
 
-  /** Returns these settings with a warm-up, after which the pacer takes a rest that is due. */
+  /**
+   * {@return these settings with a warm-up, after which the pacer takes a rest that is due}
+   *
+   * @param newWarmUp runs on the haptic thread before the first frame
+   */
   public LoopSettings withWarmUp(Runnable newWarmUp) {
     Runnable rested =
         () -> {

@@ -7,9 +7,10 @@ public final class Median {
   private Median() {}
 
   /**
-   * Returns the median; the mean of the two middle values if their number is even. Sorts a copy, so
-   * it is not for the path of a frame.
+   * {@return the median; the mean of the two middle values if their number is even} Sorts a copy,
+   * so it is not for the path of a frame.
    *
+   * @param values at least one; not changed
    * @throws IllegalArgumentException if there is no value
    */
   public static double of(double... values) {

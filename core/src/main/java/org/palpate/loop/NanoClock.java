@@ -6,6 +6,6 @@ public interface NanoClock {
   /** The clock of the machine. */
   NanoClock SYSTEM = System::nanoTime;
 
-  /** Returns nanoseconds from an arbitrary origin. Compare two times by their difference only. */
+  /** {@return nanoseconds from an arbitrary origin} Compare two times by their difference only. */
   long nanoTime();
 }

@@ -21,6 +21,7 @@ public final class SleepThenSpinPacer implements Pacer {
   /**
    * Makes a pacer.
    *
+   * @param clock the clock of the deadlines
    * @param spinNanos time before each deadline for which it spins
    */
   public SleepThenSpinPacer(NanoClock clock, long spinNanos) {

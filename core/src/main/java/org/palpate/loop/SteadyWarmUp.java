@@ -35,7 +35,11 @@ public final class SteadyWarmUp {
     this(NanoClock.SYSTEM);
   }
 
-  /** Makes a warm-up that uses the JVM's compiler. */
+  /**
+   * Makes a warm-up that uses the JVM's compiler.
+   *
+   * @param clock measures the frames
+   */
   public SteadyWarmUp(NanoClock clock) {
     this(clock, SteadyWarmUp::compilationMillis);
   }

@@ -15,8 +15,10 @@ public interface ThreadSetup {
   ThreadSetup NONE = () -> Granted.NOTHING;
 
   /**
-   * Prepares the thread and returns what the system granted. The haptic thread calls it once,
-   * before its first frame. A denied request is no failure: the result reports it.
+   * Prepares the thread. The haptic thread calls it once, before its first frame. A denied request
+   * is no failure: the result reports it.
+   *
+   * @return what the system granted
    */
   Granted setUp();
 

@@ -35,6 +35,7 @@ public final class WarmUp implements Runnable {
    *     session's scene and has no edits
    * @param minFrames the least number of frames, so that the hand makes every gesture
    * @param budgetNanos the longest time to take
+   * @param clock measures the time taken
    */
   public WarmUp(HapticFrame rehearsal, int minFrames, long budgetNanos, NanoClock clock) {
     this.rehearsal = rehearsal;

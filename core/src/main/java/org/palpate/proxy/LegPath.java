@@ -29,8 +29,9 @@ public final class LegPath {
   }
 
   /**
-   * Removes the legs from index {@code newCount} on.
+   * Removes the last legs.
    *
+   * @param newCount the number of legs that stay
    * @param newLengthMm the length of the legs that stay, as {@link #lengthMm()} returned it
    */
   public void truncate(int newCount, double newLengthMm) {
@@ -38,24 +39,30 @@ public final class LegPath {
     lengthMm = newLengthMm;
   }
 
-  /** Whether there is no room for another leg. */
+  /** {@return whether there is no room for another leg} */
   public boolean isFull() {
     return count == CAPACITY;
   }
 
-  /** Returns the number of legs. */
+  /** {@return the number of legs} */
   public int count() {
     return count;
   }
 
-  /** Returns the length of all legs together, mm. */
+  /** {@return the length of all legs together, mm} */
   public double lengthMm() {
     return lengthMm;
   }
 
   /**
-   * Adds a leg from (x0,y0,z0) to (x1,y1,z1).
+   * Adds a leg.
    *
+   * @param x0 the start of the leg along x, grid coordinates
+   * @param y0 its y component
+   * @param z0 its z component
+   * @param x1 the end of the leg along x, grid coordinates
+   * @param y1 its y component
+   * @param z1 its z component
    * @param legLengthMm the metric length of the leg
    * @param alongSurface whether the leg slides along a surface, which friction depends on
    * @throws ArrayIndexOutOfBoundsException if the path {@link #isFull}
@@ -82,22 +89,40 @@ public final class LegPath {
     lengthMm += legLengthMm;
   }
 
-  /** Returns the start of a leg along an axis (0 is x, 1 is y, 2 is z), grid coordinates. */
+  /**
+   * {@return the start of a leg along an axis, grid coordinates}
+   *
+   * @param leg the number of the leg, from 0
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public double start(int leg, int axis) {
     return ends[leg * DOUBLES_PER_LEG + axis];
   }
 
-  /** Returns the end of a leg along an axis (0 is x, 1 is y, 2 is z), grid coordinates. */
+  /**
+   * {@return the end of a leg along an axis, grid coordinates}
+   *
+   * @param leg the number of the leg, from 0
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public double end(int leg, int axis) {
     return ends[leg * DOUBLES_PER_LEG + 3 + axis];
   }
 
-  /** Returns the metric length of a leg, mm. */
+  /**
+   * {@return the metric length of a leg, mm}
+   *
+   * @param leg the number of the leg, from 0
+   */
   public double lengthMm(int leg) {
     return lengthsMm[leg];
   }
 
-  /** Whether a leg slid along a surface. */
+  /**
+   * {@return whether a leg slid along a surface}
+   *
+   * @param leg the number of the leg, from 0
+   */
   public boolean slid(int leg) {
     return slid[leg];
   }

@@ -39,17 +39,30 @@ public final class PathLimit {
     this.maxPathMm = maxPathMm;
   }
 
-  /** Returns the path that remains after the legs of this frame, mm. */
+  /**
+   * {@return the path that remains after the legs of this frame, mm}
+   *
+   * @param legs the legs of this frame so far
+   */
   public double remainingMm(LegPath legs) {
     return maxPathMm - legs.lengthMm();
   }
 
-  /** Whether a further leg of this length would make the path of this frame too long. */
+  /**
+   * {@return whether a further leg would make the path of this frame too long}
+   *
+   * @param legs the legs of this frame so far
+   * @param lengthMm the length of the further leg, mm
+   */
   public boolean isExceededBy(LegPath legs, double lengthMm) {
     return legs.lengthMm() + lengthMm > maxPathMm;
   }
 
-  /** Whether so little path remains that no leg can make use of it. */
+  /**
+   * {@return whether so little path remains that no leg can make use of it}
+   *
+   * @param legs the legs of this frame so far
+   */
   public boolean isUsedUp(LegPath legs) {
     return legs.lengthMm() >= maxPathMm * CUT_SHORT;
   }

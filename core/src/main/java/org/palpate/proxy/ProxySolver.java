@@ -34,13 +34,17 @@ public interface ProxySolver {
   default void reset() {}
 
   /**
-   * Returns the work of the last frame, in steps of the solver that no machine changes; 0 if the
-   * solver does not count them.
+   * {@return the work of the last frame, in steps of the solver that no machine changes; 0 if the
+   * solver does not count them}
    */
   default int steps() {
     return 0;
   }
 
-  /** Adds the number of times that this solver skipped work to {@code dest}. */
+  /**
+   * Adds the number of times that this solver skipped work to counters.
+   *
+   * @param dest receives the counts; a solver that skips nothing leaves them
+   */
   default void addSkips(SkipCounters dest) {}
 }

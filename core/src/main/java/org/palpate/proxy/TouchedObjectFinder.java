@@ -21,6 +21,10 @@ public final class TouchedObjectFinder {
    * Writes {@link InteractionPoint#touchedObject}: the object that the ray hits first, and the
    * first of several objects that share the voxel. Writes {@link InteractionPoint#NO_OBJECT}
    * without contact, or if no solid lies between the point and the device.
+   *
+   * @param scene the solids
+   * @param device the device position, grid coordinates
+   * @param point read, and its touched object is written
    */
   public void find(CollisionScene scene, Vec3 device, InteractionPoint point) {
     Vec3 p = point.position;

@@ -20,7 +20,14 @@ public final class ExactPredicates {
 
   private final ExactProductSum sum = new ExactProductSum();
 
-  /** Whether the ray touches the closed voxel (i,j,k). Exact for any six finite doubles. */
+  /**
+   * {@return whether the ray touches a closed voxel} Exact for any six finite doubles.
+   *
+   * @param ray the segment, in grid coordinates
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   */
   public boolean touchesVoxel(Ray ray, int i, int j, int k) {
     return touchesBox(ray, i, j, k, 1);
   }

@@ -63,7 +63,11 @@ public final class ExactRayCaster implements RayCaster {
     return new ExactRayCaster(new EmptySpaceSkipper(false));
   }
 
-  /** Adds the number of skipped empty bricks and of rays beside the bounds to {@code dest}. */
+  /**
+   * Adds the number of skipped empty bricks and of rays beside the bounds to other counters.
+   *
+   * @param dest receives the counts
+   */
   public void addSkips(SkipCounters dest) {
     dest.add(SkipKind.EMPTY_BRICKS, empty.skippedBricks);
     dest.add(SkipKind.BESIDE_BOUNDS, empty.raysBesideBounds);

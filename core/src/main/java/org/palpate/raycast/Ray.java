@@ -13,7 +13,14 @@ public final class Ray {
   public double toY;
   public double toZ;
 
-  /** Sets the start of the ray and returns this. */
+  /**
+   * Sets the start of the ray.
+   *
+   * @param x the start along x, grid coordinates, finite
+   * @param y its y component
+   * @param z its z component
+   * @return this ray
+   */
   public Ray from(double x, double y, double z) {
     fromX = x;
     fromY = y;
@@ -21,7 +28,14 @@ public final class Ray {
     return this;
   }
 
-  /** Sets the end of the ray and returns this. */
+  /**
+   * Sets the end of the ray.
+   *
+   * @param x the end along x, grid coordinates, finite
+   * @param y its y component
+   * @param z its z component
+   * @return this ray
+   */
   public Ray to(double x, double y, double z) {
     toX = x;
     toY = y;

@@ -29,7 +29,15 @@ public final class RayHit {
    */
   public int axis;
 
-  /** Sets all components. */
+  /**
+   * Sets all components.
+   *
+   * @param newT where the ray enters the voxel: 0 at its start, 1 at its end
+   * @param newI the voxel's number along x
+   * @param newJ its number along y
+   * @param newK its number along z
+   * @param newAxis see {@link #axis}
+   */
   public void set(double newT, int newI, int newJ, int newK, int newAxis) {
     t = newT;
     i = newI;
@@ -38,17 +46,30 @@ public final class RayHit {
     axis = newAxis;
   }
 
-  /** Copies all components of {@code other}. */
+  /**
+   * Copies all components of another hit.
+   *
+   * @param other the hit to copy
+   */
   public void set(RayHit other) {
     set(other.t, other.i, other.j, other.k, other.axis);
   }
 
-  /** Returns the coordinate of the voxel along an axis: 0 is x, 1 is y, 2 is z. */
+  /**
+   * {@return the coordinate of the voxel along an axis}
+   *
+   * @param ofAxis 0 for x, 1 for y, 2 for z
+   */
   public int cell(int ofAxis) {
     return ofAxis == 0 ? i : ofAxis == 1 ? j : k;
   }
 
-  /** Sets the coordinate of the voxel along an axis: 0 is x, 1 is y, 2 is z. */
+  /**
+   * Sets the coordinate of the voxel along an axis.
+   *
+   * @param ofAxis 0 for x, 1 for y, 2 for z
+   * @param cell the voxel's number along it
+   */
   public void setCell(int ofAxis, int cell) {
     if (ofAxis == 0) {
       i = cell;

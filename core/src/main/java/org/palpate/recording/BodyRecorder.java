@@ -30,11 +30,23 @@ public final class BodyRecorder {
      * Receives an event; see {@link org.palpate.body.BodyListener#accept}.
      *
      * @param sample number of the device sample with which a replay repeats it, from 0
+     * @param body the index of the body in the scene
+     * @param event what happened to it
+     * @param pose the body's pose as committed, from rest to present, world mm; not to be kept
+     * @param inHand the pose of the body's reference point relative to the device; not to be kept
      */
     void accept(long sample, int body, BodyEvent event, Pose pose, Pose inHand);
   }
 
-  /** Adds an event; see {@link Sink#accept}. Haptic thread: never waits, allocates nothing. */
+  /**
+   * Adds an event; see {@link Sink#accept}. Haptic thread: never waits, allocates nothing.
+   *
+   * @param sample number of the device sample with which a replay repeats the event, from 0
+   * @param body the index of the body in the scene
+   * @param event what happened to it
+   * @param newPose the body's pose as committed, from rest to present, world mm; copied
+   * @param newInHand the pose of the body's reference point relative to the device; copied
+   */
   public void offer(long sample, int body, BodyEvent event, Pose newPose, Pose newInHand) {
     int from = ring.claim();
     if (from == WordRing.FULL) {
@@ -48,7 +60,11 @@ public final class BodyRecorder {
     ring.publish();
   }
 
-  /** Moves all events from the buffer into a sink. Reader. */
+  /**
+   * Moves all events from the buffer into a sink. Reader.
+   *
+   * @param sink receives the events in the order in which they were added
+   */
   public void drainTo(Sink sink) {
     for (int left = ring.available(); left > 0; left--) {
       int from = ring.oldest();
@@ -60,7 +76,7 @@ public final class BodyRecorder {
     }
   }
 
-  /** Returns the number of events that were dropped because the buffer was full. Any thread. */
+  /** {@return the number of events that were dropped because the buffer was full} Any thread. */
   public long overflows() {
     return ring.overflows();
   }

@@ -24,6 +24,9 @@ public final class EditRecorder {
      *
      * @param sample number of the device sample with which a replay makes the change, from 0
      * @param segment index of the segment in the scene
+     * @param i the voxel's number along x
+     * @param j its number along y
+     * @param k its number along z
      * @param solid whether voxel (i,j,k) became solid; empty else
      */
     void accept(long sample, int segment, int i, int j, int k, boolean solid);
@@ -34,12 +37,25 @@ public final class EditRecorder {
     this(DEFAULT_CAPACITY);
   }
 
-  /** Makes an empty buffer for {@code capacity} changes, at least 1. */
+  /**
+   * Makes an empty buffer.
+   *
+   * @param capacity the number of changes that it holds, at least 1
+   */
   public EditRecorder(int capacity) {
     ring = new WordRing(capacity, WORDS_A_CHANGE);
   }
 
-  /** Adds a change; see {@link Sink#accept}. Haptic thread: never waits, allocates nothing. */
+  /**
+   * Adds a change; see {@link Sink#accept}. Haptic thread: never waits, allocates nothing.
+   *
+   * @param sample number of the device sample with which a replay makes the change, from 0
+   * @param segment index of the segment in the scene
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   * @param solid whether the voxel became solid; empty else
+   */
   public void offer(long sample, int segment, int i, int j, int k, boolean solid) {
     int from = ring.claim();
     if (from == WordRing.FULL) {
@@ -51,7 +67,11 @@ public final class EditRecorder {
     ring.publish();
   }
 
-  /** Moves all changes from the buffer into a sink. Reader. */
+  /**
+   * Moves all changes from the buffer into a sink. Reader.
+   *
+   * @param sink receives the changes in the order in which they were added
+   */
   public void drainTo(Sink sink) {
     for (int left = ring.available(); left > 0; left--) {
       int from = ring.oldest();
@@ -68,7 +88,7 @@ public final class EditRecorder {
     }
   }
 
-  /** Returns the number of changes that were dropped because the buffer was full. Any thread. */
+  /** {@return the number of changes that were dropped because the buffer was full} Any thread. */
   public long overflows() {
     return ring.overflows();
   }

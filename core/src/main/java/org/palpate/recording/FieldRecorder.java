@@ -45,7 +45,7 @@ public final class FieldRecorder {
   private long reading;
 
   /**
-   * Returns what adds the updates of a body to the buffers.
+   * {@return what adds the updates of a body to the buffers}
    *
    * @param sampleOfChanges returns the number of the device sample, from 0, with which a replay
    *     uses a field that the present frame takes; called by the haptic thread
@@ -120,6 +120,8 @@ public final class FieldRecorder {
    * Moves updates up to the last one that was used into a sink, in their order. Reader.
    *
    * <p>A field is used after its update was added, so uses are counted first.
+   *
+   * @param sink receives each update with the frame that first used it
    */
   public void drainTo(Consumer<RecordedUpdate> sink) {
     int used = uses.available();
@@ -173,7 +175,7 @@ public final class FieldRecorder {
     return cells;
   }
 
-  /** Returns the number of entries that were dropped because a buffer was full. Any thread. */
+  /** {@return the number of entries that were dropped because a buffer was full} Any thread. */
   public long overflows() {
     return updates.overflows() + refills.overflows() + uses.overflows();
   }

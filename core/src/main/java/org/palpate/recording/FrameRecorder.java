@@ -70,7 +70,11 @@ public final class FrameRecorder implements FrameObserver {
         | (long) frame.heldBody << HELD_SHIFT;
   }
 
-  /** Moves all frames from the buffer to an observer. Reader. */
+  /**
+   * Moves all frames from the buffer to an observer. Reader.
+   *
+   * @param sink receives the frames in order; their record is overwritten after each call
+   */
   public void drainTo(FrameObserver sink) {
     for (int left = ring.available(); left > 0; left--) {
       read(ring.oldest());
@@ -98,7 +102,7 @@ public final class FrameRecorder implements FrameObserver {
     }
   }
 
-  /** Returns the number of frames that were dropped because the buffer was full. Any thread. */
+  /** {@return the number of frames that were dropped because the buffer was full} Any thread. */
   public long overflows() {
     return ring.overflows();
   }

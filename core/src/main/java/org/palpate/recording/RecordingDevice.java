@@ -14,7 +14,12 @@ import org.palpate.device.ReadStatus;
 public final class RecordingDevice extends DeviceDecorator {
   private final SampleRecorder recorder;
 
-  /** Makes a device that puts the samples of {@code device} into {@code recorder}. */
+  /**
+   * Makes a device that records the samples of another one.
+   *
+   * @param device delivers the samples; it is closed with this device
+   * @param recorder receives each new sample
+   */
   public RecordingDevice(HapticDevice device, SampleRecorder recorder) {
     super(device);
     this.recorder = recorder;

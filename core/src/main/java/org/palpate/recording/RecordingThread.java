@@ -29,15 +29,24 @@ public final class RecordingThread implements AutoCloseable {
     this.others = others;
   }
 
-  /** Starts and returns a thread that writes the samples of {@code recorder} into {@code sink}. */
+  /**
+   * Starts a thread that writes samples.
+   *
+   * @param recorder holds the samples
+   * @param sink receives them in the thread
+   * @return the thread, which {@link #close} ends
+   */
   public static RecordingThread start(SampleRecorder recorder, SampleRecorder.Sink sink) {
     return start(recorder, sink, () -> {});
   }
 
   /**
-   * Starts and returns a thread that also moves what other recorders hold.
+   * Starts a thread that writes samples, and also moves what other recorders hold.
    *
+   * @param recorder holds the samples
+   * @param sink receives them in the thread
    * @param others moves what the other recorders hold; runs in the thread, after the samples
+   * @return the thread, which {@link #close} ends
    */
   public static RecordingThread start(
       SampleRecorder recorder, SampleRecorder.Sink sink, Runnable others) {
@@ -61,7 +70,7 @@ public final class RecordingThread implements AutoCloseable {
     }
   }
 
-  /** Returns the exception that the sink threw and that ended the thread, or null. Any thread. */
+  /** {@return the exception that the sink threw and that ended the thread, or null} Any thread. */
   public RuntimeException failure() {
     return failure;
   }

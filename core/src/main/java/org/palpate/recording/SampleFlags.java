@@ -25,7 +25,7 @@ public enum SampleFlags {
     return backwardTime ? BACKWARD_TIME : NONE;
   }
 
-  /** Returns the code in a trajectory file: 1 for not finite plus 2 for a backward time. */
+  /** {@return the code in a trajectory file: 1 for not finite plus 2 for a backward time} */
   public int code() {
     return code;
   }

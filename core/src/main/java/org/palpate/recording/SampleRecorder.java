@@ -43,12 +43,20 @@ public final class SampleRecorder {
     this(DEFAULT_CAPACITY);
   }
 
-  /** Makes an empty buffer for {@code capacity} samples, at least 1. */
+  /**
+   * Makes an empty buffer.
+   *
+   * @param capacity the number of samples that it holds, at least 1
+   */
   public SampleRecorder(int capacity) {
     ring = new WordRing(capacity, WORDS_A_SAMPLE);
   }
 
-  /** Adds a sample. Haptic thread: never waits, allocates nothing. */
+  /**
+   * Adds a sample. Haptic thread: never waits, allocates nothing.
+   *
+   * @param sample the sample; copied
+   */
   public void offer(DeviceState sample) {
     int from = ring.claim();
     if (from == WordRing.FULL) {
@@ -63,6 +71,8 @@ public final class SampleRecorder {
   /**
    * Moves all samples from the buffer into a sink. Reader.
    *
+   * @param sink receives the samples in the order in which they were added; they are overwritten
+   *     after each call
    * @return number of samples
    */
   public int drainTo(Sink sink) {
@@ -89,7 +99,7 @@ public final class SampleRecorder {
     return SampleFlags.of(!out.positionMm.isFinite(), backwardTime);
   }
 
-  /** Returns the number of samples that were dropped because the buffer was full. Any thread. */
+  /** {@return the number of samples that were dropped because the buffer was full} Any thread. */
   public long overflows() {
     return ring.overflows();
   }

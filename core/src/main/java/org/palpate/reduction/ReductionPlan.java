@@ -107,7 +107,7 @@ public final class ReductionPlan {
   }
 
   /**
-   * Returns the stops of the hand.
+   * {@return the stops of the hand}
    *
    * @param bodies the bodies where they are when the hand begins; the plan moves them
    * @param truth the pose at which each body belongs, from rest to present; of the bodies that face

@@ -21,27 +21,44 @@ public final class SkipCounters {
     }
   }
 
-  /** Adds {@code count} skips of one kind. */
+  /**
+   * Adds skips of one kind.
+   *
+   * @param kind the work that was skipped
+   * @param count the number of skips to add; negative to subtract
+   */
   public void add(SkipKind kind, long count) {
     counts.get(kind).addAndGet(count);
   }
 
-  /** Adds all counts of {@code other}. */
+  /**
+   * Adds all counts of other counters.
+   *
+   * @param other the counters to add; not changed
+   */
   public void add(SkipCounters other) {
     other.counts.forEach((kind, count) -> add(kind, count.get()));
   }
 
-  /** Subtracts all counts of {@code other}. */
+  /**
+   * Subtracts all counts of other counters.
+   *
+   * @param other the counters to subtract; not changed
+   */
   public void subtract(SkipCounters other) {
     other.counts.forEach((kind, count) -> add(kind, -count.get()));
   }
 
-  /** Returns the count of one kind. */
+  /**
+   * {@return the count of one kind}
+   *
+   * @param kind the work that was skipped
+   */
   public long of(SkipKind kind) {
     return counts.get(kind).get();
   }
 
-  /** Returns the counts of all kinds by {@link SkipKind#key}, in the order of the kinds. */
+  /** {@return the counts of all kinds by {@link SkipKind#key}, in the order of the kinds} */
   public Map<String, Long> byKey() {
     Map<String, Long> all = new LinkedHashMap<>();
     for (SkipKind kind : SkipKind.values()) {

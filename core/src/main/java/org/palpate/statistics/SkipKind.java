@@ -23,7 +23,7 @@ public enum SkipKind {
 
   private final String key = name().toLowerCase(Locale.ROOT);
 
-  /** Returns the name of this kind in reports. */
+  /** {@return the name of this kind in reports} */
   public String key() {
     return key;
   }

@@ -14,7 +14,7 @@ import java.util.Arrays;
  */
 public record WorkPercentiles(long p50, long p99, long p999, long max) {
   /**
-   * Returns the percentiles of some frames, or zeros for none.
+   * {@return the percentiles of some frames, or zeros for none}
    *
    * @param work of each frame; not changed
    */

@@ -95,35 +95,51 @@ public final class Accumulator {
     this.skipsUnchanged = skipsUnchanged;
   }
 
-  /** Returns an accumulator that publishes unchanged values too, to measure what skipping saves. */
+  /**
+   * {@return an accumulator that publishes unchanged values too, to measure what skipping saves}
+   */
   public static Accumulator withoutSkipping() {
     return new Accumulator(false);
   }
 
-  /** Returns a new property of three doubles. Call it before the first publication. */
+  /**
+   * {@return a new property of three doubles} Call it before the first publication.
+   *
+   * @param name the name of the property, for messages
+   */
   public PositionProperty position(String name) {
     return add(new PositionProperty(this, name, properties.size(), words.length));
   }
 
-  /** Returns a new property that is a rigid transform. Call it before the first publication. */
+  /**
+   * {@return a new property that is a rigid transform} Call it before the first publication.
+   *
+   * @param name the name of the property, for messages
+   */
   public TransformProperty transform(String name) {
     return add(new TransformProperty(this, name, properties.size(), words.length));
   }
 
-  /** Returns a new property that is a single number. Call it before the first publication. */
+  /**
+   * {@return a new property that is a single number} Call it before the first publication.
+   *
+   * @param name the name of the property, for messages
+   */
   public NumberProperty number(String name) {
     return add(new NumberProperty(this, name, properties.size(), words.length));
   }
 
   /**
-   * Returns a new property that is the result of a haptic frame. Call it before the first
+   * {@return a new property that is the result of a haptic frame} Call it before the first
    * publication.
+   *
+   * @param name the name of the property, for messages
    */
   public TouchProperty touch(String name) {
     return add(new TouchProperty(this, name, properties.size(), words.length));
   }
 
-  /** Returns the properties in the order in which they were made. */
+  /** {@return the properties in the order in which they were made} */
   public List<Property> properties() {
     return List.copyOf(properties);
   }
@@ -145,7 +161,7 @@ public final class Accumulator {
     return property;
   }
 
-  /** Whether any value changed after the last publication. Writer. */
+  /** {@return whether any value changed after the last publication} Writer. */
   public boolean isDirty() {
     return open;
   }
@@ -302,7 +318,7 @@ public final class Accumulator {
   }
 
   /**
-   * Returns the counters as of the last publication that was taken. Reader, or any thread after
+   * {@return the counters as of the last publication that was taken} Reader, or any thread after
    * both have ended.
    */
   public SyncCounters counters() {

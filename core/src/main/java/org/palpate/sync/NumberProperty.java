@@ -6,13 +6,17 @@ public final class NumberProperty extends Property {
     super(accumulator, name, index, offset, 1);
   }
 
-  /** Sets the number. Writer. */
+  /**
+   * Sets the number. Writer.
+   *
+   * @param value the new number
+   */
   public void set(double value) {
     put(0, value);
     settle();
   }
 
-  /** Returns the value that was last taken. Reader. */
+  /** {@return the value that was last taken} Reader. */
   public double read() {
     return takenDouble(0);
   }

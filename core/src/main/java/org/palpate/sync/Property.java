@@ -27,12 +27,12 @@ public abstract sealed class Property
     this.words = words;
   }
 
-  /** Returns the name of the property, for messages. */
+  /** {@return the name of the property, for messages} */
   public final String name() {
     return name;
   }
 
-  /** Whether the value that was last taken differs from the one last applied. Reader. */
+  /** {@return whether the value that was last taken differs from the one last applied} Reader. */
   public final boolean isDirty() {
     return accumulator.isPending(this);
   }

@@ -13,7 +13,11 @@ public final class TouchProperties {
   private final Accumulator accumulator;
   private final TouchProperty touch;
 
-  /** Makes the properties in {@code accumulator}. */
+  /**
+   * Makes the properties.
+   *
+   * @param accumulator holds the properties
+   */
   public TouchProperties(Accumulator accumulator) {
     this.accumulator = accumulator;
     touch = accumulator.touch("touch");
@@ -22,6 +26,10 @@ public final class TouchProperties {
   /**
    * Sets the result of a frame and publishes it. Writer.
    *
+   * @param deviceGrid the device position, grid coordinates; copied
+   * @param pointGrid the interaction point, grid coordinates; copied
+   * @param forceNewton the written force along the grid's axes, N; copied
+   * @param contact whether the frame ended in contact
    * @param frameNumber ignored if nothing else changed, so that a hand at rest causes no redraw
    */
   public void publish(
@@ -39,14 +47,14 @@ public final class TouchProperties {
     }
   }
 
-  /** Returns the accumulator that holds the properties. */
+  /** {@return the accumulator that holds the properties} */
   public Accumulator accumulator() {
     return accumulator;
   }
 
   /**
-   * Returns the result of a frame: d and p in grid coordinates, and the written force in newtons
-   * along the grid's axes.
+   * {@return the result of a frame: d and p in grid coordinates, and the written force in newtons
+   * along the grid's axes}
    */
   public TouchProperty touch() {
     return touch;

@@ -24,33 +24,52 @@ public final class TouchProperty extends Property {
   /**
    * Sets the result of a frame. Writer.
    *
+   * @param device the device position, grid coordinates; copied
+   * @param point the interaction point, grid coordinates; copied
+   * @param force the written force along the grid's axes, N; copied
+   * @param contact whether the frame ended in contact
    * @param frameNumber ignored if nothing else changed, so that a hand at rest causes no redraw
    */
   public void set(Vec3 device, Vec3 point, Vec3 force, boolean contact, long frameNumber) {
     putTouch(device, point, force, contact ? 1 : 0, frameNumber);
   }
 
-  /** Writes the device position that was last taken into {@code dest}. Reader. */
+  /**
+   * Writes the device position that was last taken. Reader.
+   *
+   * @param dest receives the position, grid coordinates
+   * @return {@code dest}
+   */
   public Vec3 device(Vec3 dest) {
     return read(DEVICE, dest);
   }
 
-  /** Writes the interaction point that was last taken into {@code dest}. Reader. */
+  /**
+   * Writes the interaction point that was last taken. Reader.
+   *
+   * @param dest receives the position, grid coordinates
+   * @return {@code dest}
+   */
   public Vec3 interactionPoint(Vec3 dest) {
     return read(POINT, dest);
   }
 
-  /** Writes the force that was last taken into {@code dest}. Reader. */
+  /**
+   * Writes the force that was last taken. Reader.
+   *
+   * @param dest receives the force along the grid's axes, N
+   * @return {@code dest}
+   */
   public Vec3 force(Vec3 dest) {
     return read(FORCE, dest);
   }
 
-  /** Whether there was contact, as last taken. Reader. */
+  /** {@return whether there was contact, as last taken} Reader. */
   public boolean contact() {
     return taken(CONTACT) != 0;
   }
 
-  /** Returns the number of the last frame in which any of the others changed. Reader. */
+  /** {@return the number of the last frame in which any of the others changed} Reader. */
   public long frame() {
     return taken(FRAME);
   }

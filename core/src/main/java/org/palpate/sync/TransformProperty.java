@@ -17,7 +17,14 @@ public final class TransformProperty extends Property {
     super(accumulator, name, index, offset, WORDS);
   }
 
-  /** Sets axes and origin. Writer. */
+  /**
+   * Sets axes and origin. Writer.
+   *
+   * @param axisX the image of the x axis
+   * @param axisY the image of the y axis
+   * @param axisZ the image of the z axis
+   * @param origin the image of the origin; all four are copied
+   */
   public void set(Vec3 axisX, Vec3 axisY, Vec3 axisZ, Vec3 origin) {
     putVector(0, axisX);
     putVector(AXIS_Y, axisY);
@@ -26,7 +33,11 @@ public final class TransformProperty extends Property {
     settle();
   }
 
-  /** Sets axes and origin. Writer. */
+  /**
+   * Sets axes and origin. Writer.
+   *
+   * @param value the new axes and origin; copied
+   */
   public void set(RigidTransform value) {
     set(value.axisX(), value.axisY(), value.axisZ(), value.origin());
   }
@@ -37,7 +48,12 @@ public final class TransformProperty extends Property {
     put(word + 2, value.z);
   }
 
-  /** Writes the value that was last taken into the vectors of {@code dest}. Reader. */
+  /**
+   * Writes the value that was last taken. Reader.
+   *
+   * @param dest its four vectors are overwritten
+   * @return {@code dest}
+   */
   public RigidTransform read(RigidTransform dest) {
     readVector(0, dest.axisX());
     readVector(AXIS_Y, dest.axisY());
@@ -46,7 +62,7 @@ public final class TransformProperty extends Property {
     return dest;
   }
 
-  /** Returns the value that was last taken. Allocates. Reader. */
+  /** {@return the value that was last taken} Allocates. Reader. */
   public RigidTransform read() {
     return read(RigidTransform.identity());
   }

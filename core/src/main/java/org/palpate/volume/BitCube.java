@@ -48,6 +48,9 @@ public class BitCube {
   /**
    * Creates an empty cube. Allocates {@link #bytesFor} bytes.
    *
+   * @param sizeX the number of voxels along x
+   * @param sizeY the number of voxels along y
+   * @param sizeZ the number of voxels along z
    * @throws IllegalArgumentException if a size is below 1 or above {@link #MAX_SIZE}, or there are
    *     more than 2^31-1 bricks
    */
@@ -72,7 +75,13 @@ public class BitCube {
     blocks = new long[arrayLength(blocksX, blocksY, cellsFor(sizeZ, BLOCK_SHIFT))];
   }
 
-  /** Returns the memory of a cube of this size, bytes; may be far more than there is. */
+  /**
+   * {@return the memory of a cube of this size, bytes; may be far more than there is}
+   *
+   * @param sizeX the number of voxels along x, at least 1
+   * @param sizeY the number of voxels along y, at least 1
+   * @param sizeZ the number of voxels along z, at least 1
+   */
   public static double bytesFor(int sizeX, int sizeY, int sizeZ) {
     return 8.0 * cells(sizeX, sizeY, sizeZ, BRICK_SHIFT)
         + 8.0 * cells(sizeX, sizeY, sizeZ, BLOCK_SHIFT);
@@ -94,22 +103,22 @@ public class BitCube {
     return x * y * z;
   }
 
-  /** Returns the number of voxels along x. */
+  /** {@return the number of voxels along x} */
   public int sizeX() {
     return sizeX;
   }
 
-  /** Returns the number of voxels along y. */
+  /** {@return the number of voxels along y} */
   public int sizeY() {
     return sizeY;
   }
 
-  /** Returns the number of voxels along z. */
+  /** {@return the number of voxels along z} */
   public int sizeZ() {
     return sizeZ;
   }
 
-  /** Returns the number of solid voxels. Constant time. */
+  /** {@return the number of solid voxels} Constant time. */
   public long solidCount() {
     return solidCount;
   }
@@ -124,12 +133,24 @@ public class BitCube {
     return bounds;
   }
 
-  /** Whether voxel (i,j,k) is solid; false outside the cube. */
+  /**
+   * {@return whether voxel (i,j,k) is solid; false outside the cube}
+   *
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   */
   public boolean get(int i, int j, int k) {
     return (brick(i >> BRICK_SHIFT, j >> BRICK_SHIFT, k >> BRICK_SHIFT) >>> bit(i, j, k) & 1) != 0;
   }
 
-  /** Whether all six voxels across the faces of voxel (i,j,k) are solid. */
+  /**
+   * {@return whether all six voxels across the faces of voxel (i,j,k) are solid}
+   *
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   */
   public boolean isSurrounded(int i, int j, int k) {
     return get(i - 1, j, k)
         && get(i + 1, j, k)
@@ -142,11 +163,21 @@ public class BitCube {
   /** Receives voxels. */
   @FunctionalInterface
   public interface VoxelSink {
-    /** Receives voxel (i,j,k). */
+    /**
+     * Receives voxel (i,j,k).
+     *
+     * @param i the voxel's number along x
+     * @param j its number along y
+     * @param k its number along z
+     */
     void take(int i, int j, int k);
   }
 
-  /** Hands every solid voxel that is not surrounded to a sink, in the order of k, j and i. */
+  /**
+   * Hands every solid voxel that is not surrounded to a sink, in the order of k, j and i.
+   *
+   * @param sink receives the voxels on the calling thread; must not change the cube
+   */
   public void forEachRimVoxel(VoxelSink sink) {
     for (int k = bounds.lowZ; k <= bounds.highZ; k++) {
       for (int j = bounds.lowY; j <= bounds.highY; j++) {
@@ -162,6 +193,9 @@ public class BitCube {
   /**
    * Makes voxel (i,j,k) solid.
    *
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
    * @throws IndexOutOfBoundsException if the voxel lies outside the cube
    */
   public void set(int i, int j, int k) {
@@ -177,6 +211,9 @@ public class BitCube {
   /**
    * Makes voxel (i,j,k) empty.
    *
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
    * @throws IndexOutOfBoundsException if the voxel lies outside the cube
    */
   public void clear(int i, int j, int k) {
@@ -188,28 +225,45 @@ public class BitCube {
     }
   }
 
-  /** Returns the bit of a voxel in the word of its brick: two bits of z, two of y, two of x. */
+  /**
+   * {@return the bit of a voxel in the word of its brick: two bits of z, two of y, two of x}
+   *
+   * @param i the voxel's number along x, of any sign
+   * @param j its number along y
+   * @param k its number along z
+   */
   public static int bit(int i, int j, int k) {
     return ((k & 3) << 4) | ((j & 3) << 2) | (i & 3);
   }
 
   /**
-   * Returns the word of a brick; 0 outside the cube.
+   * {@return the word of a brick; 0 outside the cube}
    *
    * @param brickX brick coordinates: voxel coordinates shifted right by {@link #BRICK_SHIFT}
+   * @param brickY the same along y
+   * @param brickZ the same along z
    */
   public long brick(int brickX, int brickY, int brickZ) {
     return isBrick(brickX, brickY, brickZ) ? bricks[brickIndex(brickX, brickY, brickZ)] : 0;
   }
 
-  /** Whether the voxels around a grid coordinate have int numbers that {@link #window} takes. */
+  /**
+   * {@return whether the voxels around a grid coordinate have int numbers that {@link #window}
+   * takes}
+   *
+   * @param coordinate a coordinate of a point along any axis; false for NaN
+   */
   public static boolean hasWindow(double coordinate) {
     return Math.abs(coordinate) < MAX_SIZE;
   }
 
   /**
-   * Returns the 4x4x4 voxels whose lowest is (i,j,k), across bricks, in the bit order of a brick.
+   * {@return the 4x4x4 voxels whose lowest is (i,j,k), across bricks, in the bit order of a brick}
    * Voxels outside the cube are empty. Cost: eight loads and no mispredicted branch.
+   *
+   * @param i the number of the lowest voxel along x, below {@link #MAX_SIZE} in magnitude
+   * @param j its number along y, likewise
+   * @param k its number along z, likewise
    */
   public long window(int i, int j, int k) {
     int x = i >> BRICK_SHIFT;
@@ -266,10 +320,12 @@ public class BitCube {
   }
 
   /**
-   * Returns the word of a block of 4x4x4 bricks; 0 outside the cube. A bit is set if its brick is
+   * {@return the word of a block of 4x4x4 bricks; 0 outside the cube} A bit is set if its brick is
    * not empty.
    *
    * @param blockX block coordinates: voxel coordinates shifted right by {@link #BLOCK_SHIFT}
+   * @param blockY the same along y
+   * @param blockZ the same along z
    */
   public long block(int blockX, int blockY, int blockZ) {
     int index = (blockZ * blocksY + blockY) * blocksX + blockX;
@@ -286,6 +342,9 @@ public class BitCube {
   /**
    * Replaces a whole brick.
    *
+   * @param brickX brick coordinates: voxel coordinates shifted right by {@link #BRICK_SHIFT}
+   * @param brickY the same along y
+   * @param brickZ the same along z
    * @param word the new bits; those beyond the size of the cube must be clear
    * @throws IllegalArgumentException if the brick lies outside or the word has a padding bit set
    */
@@ -305,17 +364,17 @@ public class BitCube {
     includeBrick(brickX, brickY, brickZ, word);
   }
 
-  /** Returns the number of bricks along x. */
+  /** {@return the number of bricks along x} */
   public int bricksX() {
     return bricksX;
   }
 
-  /** Returns the number of bricks along y. */
+  /** {@return the number of bricks along y} */
   public int bricksY() {
     return bricksY;
   }
 
-  /** Returns the number of bricks along z. */
+  /** {@return the number of bricks along z} */
   public int bricksZ() {
     return bricksZ;
   }
@@ -332,7 +391,7 @@ public class BitCube {
     }
   }
 
-  /** Returns a copy that shares nothing with this cube. */
+  /** {@return a copy that shares nothing with this cube} */
   public BitCube copy() {
     BitCube copy = new BitCube(sizeX, sizeY, sizeZ);
     System.arraycopy(bricks, 0, copy.bricks, 0, bricks.length);

@@ -53,15 +53,23 @@ public final class ConnectedComponents {
     this.neighbours = neighbours;
   }
 
-  /** Hands every component to the visitor, in the order of the first brick that they have. */
+  /**
+   * Hands every component to the visitor, in the order of the first brick that they have.
+   *
+   * @param bits the voxels; they are copied
+   * @param neighbours which voxels belong together
+   * @param visitor receives the components on the calling thread
+   */
   public static void visit(BitCube bits, Neighbours neighbours, Visitor visitor) {
     new ConnectedComponents(bits, neighbours).visit(visitor);
   }
 
   /**
-   * Returns the components that have at least some voxels, each in a cube of the same size, the
-   * largest first. Components of equal size stand in the order of their first brick.
+   * {@return the components that have at least some voxels, each in a cube of the same size, the
+   * largest first} Components of equal size stand in the order of their first brick.
    *
+   * @param bits the voxels; they are copied
+   * @param neighbours which voxels belong together
    * @param leastVoxels the smallest number of voxels of a component that is returned
    */
   public static List<BitCube> of(BitCube bits, Neighbours neighbours, long leastVoxels) {
@@ -79,8 +87,11 @@ public final class ConnectedComponents {
   }
 
   /**
-   * Returns the largest component, or the first one of several that are equally large; an empty
-   * cube if nothing is solid.
+   * {@return the largest component, or the first one of several that are equally large; an empty
+   * cube if nothing is solid}
+   *
+   * @param bits the voxels; they are copied
+   * @param neighbours which voxels belong together
    */
   public static BitCube largest(BitCube bits, Neighbours neighbours) {
     BitCube[] largest = {new BitCube(bits.sizeX(), bits.sizeY(), bits.sizeZ())};

@@ -42,7 +42,7 @@ public final class EnclosedSpace {
   }
 
   /**
-   * Returns the empty voxels between the outside of one segment and another.
+   * {@return the empty voxels between the outside of one segment and another}
    *
    * @param outer the segment that encloses the space
    * @param inner the segment whose inside does not belong to it

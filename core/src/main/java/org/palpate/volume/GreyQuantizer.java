@@ -57,7 +57,11 @@ public final class GreyQuantizer {
         Math.min(fixedLevelsPerUnit - 1, (long) ((integerMiddle - near) * fixedLevelsPerUnit));
   }
 
-  /** Returns the level of a value. */
+  /**
+   * {@return the level of a value}
+   *
+   * @param value a grey value, in the unit of the volume
+   */
   public int of(double value) {
     int integer = (int) value;
     if (integer == value && Math.abs(integer) < MAX_INTEGER) {

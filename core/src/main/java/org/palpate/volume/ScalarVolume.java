@@ -26,12 +26,17 @@ public abstract class ScalarVolume {
       this.high = high;
     }
 
-    /** Returns the size of a value, bytes. */
+    /** {@return the size of a value, bytes} */
     public int bytes() {
       return bytes;
     }
 
-    /** Returns the narrowest storage for integers from {@code low} to {@code high}. */
+    /**
+     * {@return the narrowest storage for integers of a range}
+     *
+     * @param low the lowest value
+     * @param high the highest value, at least {@code low}
+     */
     public static Storage forIntegers(double low, double high) {
       for (Storage storage : values()) {
         if (low >= storage.low && high <= storage.high) {
@@ -56,8 +61,10 @@ public abstract class ScalarVolume {
   }
 
   /**
-   * Returns a volume of zeros. Allocates {@link #bytesFor} bytes.
+   * {@return a volume of zeros} Allocates {@link #bytesFor} bytes.
    *
+   * @param grid the number of voxels along each axis; kept
+   * @param storage how values are held
    * @throws IllegalArgumentException if a slice has more voxels than an array can hold
    */
   public static ScalarVolume of(VoxelGrid grid, Storage storage) {
@@ -76,9 +83,10 @@ public abstract class ScalarVolume {
   }
 
   /**
-   * Returns a volume over the arrays of another program, which nobody may change as long as the
-   * volume is read.
+   * {@return a volume over the arrays of another program, which nobody may change as long as the
+   * volume is read}
    *
+   * @param grid as many voxels as the arrays hold; kept
    * @param slices one array a slice, all of one type, row by row: {@code byte[]} of 0 to 255,
    *     {@code short[]} of 0 to 65535 or {@code float[]}; not copied
    * @throws IllegalArgumentException if the slices differ in type or do not fit the grid
@@ -113,27 +121,42 @@ public abstract class ScalarVolume {
     return typed;
   }
 
-  /** Returns the memory of the values of a volume, bytes; may be far more than there is. */
+  /**
+   * {@return the memory of the values of a volume, bytes; may be far more than there is}
+   *
+   * @param grid the number of voxels along each axis
+   * @param storage how values would be held
+   */
   public static double bytesFor(VoxelGrid grid, Storage storage) {
     return (double) grid.sizeX() * grid.sizeY() * grid.sizeZ() * storage.bytes();
   }
 
-  /** Returns the grid. */
+  /** {@return the grid} */
   public VoxelGrid grid() {
     return grid;
   }
 
-  /** Returns the storage of the values. */
+  /** {@return the storage of the values} */
   public Storage storage() {
     return storage;
   }
 
-  /** Returns the value of voxel (i,j,k), which must lie in the grid. */
+  /**
+   * {@return the value of a voxel, in the unit of the file} The voxel must lie in the grid.
+   *
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   */
   public abstract double value(int i, int j, int k);
 
   /**
-   * Returns the value at a position in grid coordinates, interpolated linearly along each axis
-   * between the middles of voxels. Outside the grid the nearest position of it counts.
+   * {@return the value at a position in grid coordinates, interpolated linearly along each axis
+   * between the middles of voxels} Outside the grid the nearest position of it counts.
+   *
+   * @param x the position along x, grid coordinates, not NaN
+   * @param y its y component
+   * @param z its z component
    */
   public final double interpolated(double x, double y, double z) {
     double u = Math.max(0, Math.min(grid.sizeX() - 1, x - 0.5));
@@ -160,14 +183,24 @@ public abstract class ScalarVolume {
   }
 
   /**
-   * Returns the levels of {@link #LEVELS} voxels of a row, (i,j,k) and the next ones along x, one
-   * byte each, the first in the lowest byte. All must lie in the grid. Several times as fast as
+   * {@return the levels of {@link #LEVELS} voxels of a row, (i,j,k) and the next ones along x, one
+   * byte each, the first in the lowest byte} All must lie in the grid. Several times as fast as
    * {@link #value}.
+   *
+   * @param i the first voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   * @param quantizer makes the level of each value
    */
   public abstract long levels(int i, int j, int k, GreyQuantizer quantizer);
 
   /**
-   * Stores a value at voxel (i,j,k) of the grid, rounded and clamped to the range of the storage.
+   * Stores the value of a voxel of the grid, rounded and clamped to the range of the storage.
+   *
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   * @param value the value, in the unit of the file
    */
   public abstract void set(int i, int j, int k, double value);
 

@@ -13,8 +13,11 @@ public final class SegmentRepair {
   private SegmentRepair() {}
 
   /**
-   * Returns a copy without the islands that have fewer voxels than a number. The largest island
+   * {@return a copy without the islands that have fewer voxels than a number} The largest island
    * stays, however small it is.
+   *
+   * @param bits the segment; not changed
+   * @param leastVoxels the smallest number of voxels of an island that stays
    */
   public static BitCube withoutIslands(BitCube bits, long leastVoxels) {
     BitCube result = bits.copy();
@@ -33,8 +36,11 @@ public final class SegmentRepair {
   }
 
   /**
-   * Returns a copy in which holes that have fewer voxels than a number are filled. A hole is
+   * {@return a copy in which holes that have fewer voxels than a number are filled} A hole is
    * enclosed: empty voxels at the faces of the grid belong to none.
+   *
+   * @param bits the segment; not changed
+   * @param mostVoxels the smallest number of voxels of a hole that stays empty
    */
   public static BitCube withoutHoles(BitCube bits, long mostVoxels) {
     BitCube result = bits.copy();

@@ -26,27 +26,40 @@ public record SegmentedVolume(VoxelGrid grid, List<Segment> segments, List<Voxel
     }
   }
 
-  /** Creates a volume whose segments share its grid. */
+  /**
+   * Creates a volume whose segments share its grid.
+   *
+   * @param grid the grid of the volume, which is that of each segment
+   * @param segments the segments, in the order in which they are numbered; the list is copied
+   */
   public SegmentedVolume(VoxelGrid grid, List<Segment> segments) {
     this(grid, segments, Collections.nCopies(segments.size(), grid));
   }
 
-  /** Returns the grid of a segment. */
+  /**
+   * {@return the grid of a segment}
+   *
+   * @param segment the number of the segment, from 0
+   */
   public VoxelGrid grid(int segment) {
     return grids.get(segment);
   }
 
-  /** Returns the grid of one of these segments. */
+  /**
+   * {@return the grid of one of these segments}
+   *
+   * @param segment a segment of this volume, compared as {@link List#indexOf} does
+   */
   public VoxelGrid gridOf(Segment segment) {
     return grids.get(segments.indexOf(segment));
   }
 
-  /** Whether all segments share the volume's grid. */
+  /** {@return whether all segments share the volume's grid} */
   public boolean hasOneGrid() {
     return grids.stream().allMatch(grid::equals);
   }
 
-  /** Returns the shortest voxel edge of all grids, mm. */
+  /** {@return the shortest voxel edge of all grids, mm} */
   public double shortestEdgeMm() {
     double shortest = grid.metric().shortestEdgeMm();
     for (VoxelGrid own : grids) {

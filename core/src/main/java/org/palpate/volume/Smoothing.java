@@ -24,6 +24,7 @@ public final class Smoothing {
   /**
    * Creates a smoothing.
    *
+   * @param metric the edges of a voxel
    * @param radiusMm the radius of the ball, mm, at least 0
    */
   public Smoothing(GridMetric metric, double radiusMm) {
@@ -46,9 +47,10 @@ public final class Smoothing {
   }
 
   /**
-   * Returns a copy in which the voxels whose centres lie within a ball are those of the smooth
-   * solid. The others are unchanged.
+   * {@return a copy in which the voxels whose centres lie within a ball are those of the smooth
+   * solid} The others are unchanged.
    *
+   * @param bits the solid to smooth; not changed
    * @param centreGrid the centre of the ball, grid coordinates, finite
    * @param withinMm its radius, mm
    */

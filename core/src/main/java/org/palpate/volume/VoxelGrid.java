@@ -43,15 +43,25 @@ public record VoxelGrid(
     }
   }
 
-  /** Returns a grid of voxels of 1 mm whose grid coordinates equal its world coordinates. */
+  /**
+   * {@return a grid of voxels of 1 mm whose grid coordinates equal its world coordinates}
+   *
+   * @param sizeX the number of voxels along x, at least 1
+   * @param sizeY the number of voxels along y, at least 1
+   * @param sizeZ the number of voxels along z, at least 1
+   */
   public static VoxelGrid ofUnitVoxels(int sizeX, int sizeY, int sizeZ) {
     return new VoxelGrid(sizeX, sizeY, sizeZ, new Vec3(1, 1, 1), RigidTransform.identity());
   }
 
   /**
-   * Returns a grid from the description that files use: the world position of the <em>centre</em>
-   * of voxel (0,0,0) and the directions of the axes.
+   * {@return a grid from the description that files use: the world position of the <em>centre</em>
+   * of voxel (0,0,0) and the directions of the axes}
    *
+   * @param sizeX the number of voxels along x, at least 1
+   * @param sizeY the number of voxels along y, at least 1
+   * @param sizeZ the number of voxels along z, at least 1
+   * @param spacingMm the edges of a voxel along the axes, mm; kept
    * @param axes the directions, orthonormal; its origin is the centre of voxel (0,0,0), world mm
    */
   public static VoxelGrid ofFirstCentre(
@@ -66,22 +76,32 @@ public record VoxelGrid(
         new RigidTransform(axes.axisX(), axes.axisY(), axes.axisZ(), corner));
   }
 
-  /** Returns the metric of the grid. */
+  /** {@return the metric of the grid} */
   public GridMetric metric() {
     return GridMetric.of(spacingMm);
   }
 
-  /** Returns the number of voxels. */
+  /** {@return the number of voxels} */
   public long voxelCount() {
     return (long) sizeX * sizeY * sizeZ;
   }
 
-  /** Whether voxel (i,j,k) lies in the grid. */
+  /**
+   * {@return whether voxel (i,j,k) lies in the grid}
+   *
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   */
   public boolean contains(int i, int j, int k) {
     return i >= 0 && i < sizeX && j >= 0 && j < sizeY && k >= 0 && k < sizeZ;
   }
 
-  /** Returns the length of the diagonal of a box of voxels that is not empty, mm. */
+  /**
+   * {@return the length of the diagonal of a box of voxels that is not empty, mm}
+   *
+   * @param box a box of voxels
+   */
   public double diagonalMm(IntBox box) {
     return new Vec3(
             (box.highX - box.lowX + 1) * spacingMm.x,
@@ -91,8 +111,11 @@ public record VoxelGrid(
   }
 
   /**
-   * Writes the world position, mm, of a point in grid coordinates into {@code dest}, which may be
-   * {@code grid}.
+   * Writes the world position of a point.
+   *
+   * @param grid the point, grid coordinates
+   * @param dest receives the position, world mm; may be {@code grid}
+   * @return {@code dest}
    */
   public Vec3 gridToWorld(Vec3 grid, Vec3 dest) {
     dest.set(grid.x * spacingMm.x, grid.y * spacingMm.y, grid.z * spacingMm.z);
@@ -100,15 +123,23 @@ public record VoxelGrid(
   }
 
   /**
-   * Writes the grid coordinates of a world position, mm, into {@code dest}, which may be {@code
-   * world}.
+   * Writes the grid coordinates of a point.
+   *
+   * @param world the point, world mm
+   * @param dest receives the grid coordinates; may be {@code world}
+   * @return {@code dest}
    */
   public Vec3 worldToGrid(Vec3 world, Vec3 dest) {
     gridMmToWorld.inverseTransform(world, dest);
     return dest.set(dest.x / spacingMm.x, dest.y / spacingMm.y, dest.z / spacingMm.z);
   }
 
-  /** Sets {@code dest} to the map from grid coordinates to world mm, and returns it. */
+  /**
+   * Writes the map from grid coordinates to world mm.
+   *
+   * @param dest receives the map
+   * @return {@code dest}
+   */
   public AffineMap gridToWorld(AffineMap dest) {
     AffineMap scaling = new AffineMap();
     scaling.mXX = spacingMm.x;
@@ -117,7 +148,12 @@ public record VoxelGrid(
     return new AffineMap().set(gridMmToWorld).multiply(scaling, dest);
   }
 
-  /** Sets {@code dest} to the map from world mm to grid coordinates, and returns it. */
+  /**
+   * Writes the map from world mm to grid coordinates.
+   *
+   * @param dest receives the map
+   * @return {@code dest}
+   */
   public AffineMap worldToGrid(AffineMap dest) {
     return dest.setInverseGrid(gridMmToWorld, spacingMm);
   }

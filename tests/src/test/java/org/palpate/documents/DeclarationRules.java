@@ -2,6 +2,8 @@ package org.palpate.documents;
 
 import com.sun.source.doctree.DocCommentTree;
 import com.sun.source.doctree.DocTree;
+import com.sun.source.doctree.ParamTree;
+import com.sun.source.doctree.ReturnTree;
 import com.sun.source.doctree.ThrowsTree;
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
@@ -9,9 +11,10 @@ import com.sun.source.tree.LambdaExpressionTree;
 import com.sun.source.tree.LiteralTree;
 import com.sun.source.tree.MethodTree;
 import com.sun.source.tree.NewClassTree;
-import com.sun.source.tree.PrimitiveTypeTree;
 import com.sun.source.tree.ThrowTree;
 import com.sun.source.tree.Tree;
+import com.sun.source.tree.TypeParameterTree;
+import com.sun.source.tree.VariableTree;
 import com.sun.source.util.TreePathScanner;
 import com.sun.source.util.TreeScanner;
 import java.util.ArrayList;
@@ -20,6 +23,7 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import javax.lang.model.element.Modifier;
 
 /**
@@ -27,8 +31,9 @@ import javax.lang.model.element.Modifier;
  *
  * <ul>
  *   <li>No type, no method and no sentence for users has a word that the glossary avoids.
- *   <li>A public method has a comment. It states the value that the method returns, and each
- *       exception that the method declares, or makes and throws itself.
+ *   <li>A public or protected method has a comment. It states each parameter, the value that the
+ *       method returns, and each exception that the method declares, or makes and throws itself.
+ *   <li>A public class states its type parameters, and a record states its components.
  * </ul>
  */
 final class DeclarationRules {
@@ -37,9 +42,6 @@ final class DeclarationRules {
       Pattern.compile(
           "\\b(openness|octets?|tally|tallies|near cubes?|box trees?|hops?|device points?"
               + "|obstacles?|wish(es)?|climbs?|twins?|walks?)\\b");
-
-  /** The words with which a comment states the returned value. */
-  private static final Pattern STATES_RESULT = Pattern.compile("\\b([Rr]eturns?|Whether)\\b");
 
   private static final Pattern WORDS = Pattern.compile("(?<=[a-z0-9])(?=[A-Z])|_");
 
@@ -57,7 +59,7 @@ final class DeclarationRules {
     return rules.faults;
   }
 
-  /** Returns the public methods whose comment is missing or incomplete. */
+  /** Returns the visible methods and records whose comment is missing or incomplete. */
   static List<String> faultsOfComments(SourceTrees sources) {
     DeclarationRules rules = new DeclarationRules(sources);
     sources.units().forEach(unit -> rules.new Comments(unit).scan(unit, null));
@@ -103,7 +105,7 @@ final class DeclarationRules {
     }
   }
 
-  /** Looks for public methods with an incomplete comment. */
+  /** Looks for visible methods and records with an incomplete comment. */
   private final class Comments extends TreePathScanner<Void, Void> {
     private final String file;
 
@@ -114,8 +116,34 @@ final class DeclarationRules {
 
     @Override
     public Void visitClass(ClassTree tree, Void unused) {
-      boolean isVisible = isPublic(tree.getModifiers().getFlags()) || isInInterface();
-      return isVisible ? super.visitClass(tree, null) : null;
+      if (!isVisible(tree.getModifiers().getFlags()) && !isInInterface()) {
+        return null;
+      }
+      DocCommentTree comment = sources.comments().getDocCommentTree(getCurrentPath());
+      List<String> names = typeParameters(tree.getTypeParameters());
+      names.addAll(components(tree));
+      checkParameters(tree.getSimpleName().toString(), comment, names);
+      return super.visitClass(tree, null);
+    }
+
+    /** Returns the names of type parameters as a comment states them, with their brackets. */
+    private static List<String> typeParameters(List<? extends TypeParameterTree> parameters) {
+      List<String> names = new ArrayList<>();
+      parameters.forEach(parameter -> names.add("<" + parameter.getName() + ">"));
+      return names;
+    }
+
+    /** Returns the names of the components of a record; none for other classes. */
+    private static List<String> components(ClassTree tree) {
+      List<String> names = new ArrayList<>();
+      for (Tree member : tree.getMembers()) {
+        if (tree.getKind() == Tree.Kind.RECORD
+            && member instanceof VariableTree field
+            && !field.getModifiers().getFlags().contains(Modifier.STATIC)) {
+          names.add(field.getName().toString());
+        }
+      }
+      return names;
     }
 
     /** Whether the present class is a member of an interface, and so is public as well. */
@@ -124,21 +152,21 @@ final class DeclarationRules {
       return parent.getKind() == Tree.Kind.INTERFACE;
     }
 
-    private static boolean isPublic(Set<Modifier> modifiers) {
-      return modifiers.contains(Modifier.PUBLIC);
+    private static boolean isVisible(Set<Modifier> modifiers) {
+      return modifiers.contains(Modifier.PUBLIC) || modifiers.contains(Modifier.PROTECTED);
     }
 
     @Override
     public Void visitMethod(MethodTree tree, Void unused) {
-      Tree owner = getCurrentPath().getParentPath().getLeaf();
-      boolean isPublic =
-          isPublic(tree.getModifiers().getFlags())
+      ClassTree owner = (ClassTree) getCurrentPath().getParentPath().getLeaf();
+      boolean isVisible =
+          isVisible(tree.getModifiers().getFlags())
               || (owner.getKind() == Tree.Kind.INTERFACE
                   && !tree.getModifiers().getFlags().contains(Modifier.PRIVATE));
-      if (isPublic && !isOverride(tree)) {
-        check(tree, ((ClassTree) owner).getSimpleName().toString());
+      if (isVisible && !isOverride(tree)) {
+        check(tree, owner);
       }
-      return null; // classes within methods are not public
+      return null; // classes within methods are not visible
     }
 
     private static boolean isOverride(MethodTree tree) {
@@ -146,14 +174,15 @@ final class DeclarationRules {
           .anyMatch(annotation -> annotation.getAnnotationType().toString().equals("Override"));
     }
 
-    private void check(MethodTree tree, String owner) {
+    private void check(MethodTree tree, ClassTree owner) {
       String what = file + "." + tree.getName();
       DocCommentTree comment = sources.comments().getDocCommentTree(getCurrentPath());
       if (comment == null) {
         faults.add(what + " has no comment");
         return;
       }
-      if (!isVoid(tree) && !statesResult(comment) && !returnsGivenObject(tree, owner)) {
+      checkParameters(what, comment, parameters(tree, owner));
+      if (!isVoid(tree) && !statesResult(comment)) {
         faults.add(what + " does not state what it returns");
       }
       for (String exception : thrownBy(tree)) {
@@ -175,20 +204,38 @@ final class DeclarationRules {
       return tree.getReturnType() == null || tree.getReturnType().toString().equals("void");
     }
 
-    private static boolean statesResult(DocCommentTree comment) {
-      boolean hasTag =
-          comment.getBlockTags().stream().anyMatch(tag -> tag.getKind() == DocTree.Kind.RETURN);
-      return hasTag || STATES_RESULT.matcher(comment.getFullBody().toString()).find();
+    /** Returns the names of what a comment on a method has to state as parameters. */
+    private static List<String> parameters(MethodTree tree, ClassTree owner) {
+      List<String> names = new ArrayList<>();
+      tree.getParameters().forEach(parameter -> names.add(parameter.getName().toString()));
+      if (tree.getReturnType() == null && names.equals(components(owner))) {
+        return List.of(); // the record states them for its canonical constructor
+      }
+      names.addAll(0, typeParameters(tree.getTypeParameters()));
+      return names;
     }
 
-    /** Whether a method may return its {@code dest}, or the object itself for a chain of calls. */
-    private static boolean returnsGivenObject(MethodTree tree, String owner) {
-      String type = tree.getReturnType().toString();
-      boolean isObject = !(tree.getReturnType() instanceof PrimitiveTypeTree);
-      boolean isStatic = tree.getModifiers().getFlags().contains(Modifier.STATIC);
-      return isObject
-          && ((type.equals(owner) && !isStatic)
-              || tree.getParameters().stream().anyMatch(p -> p.getType().toString().equals(type)));
+    private void checkParameters(String what, DocCommentTree comment, List<String> names) {
+      for (String name : names) {
+        if (comment == null || comment.getBlockTags().stream().noneMatch(tag -> isOf(tag, name))) {
+          faults.add(what + " does not state " + name);
+        }
+      }
+    }
+
+    private static boolean isOf(DocTree tag, String parameter) {
+      return tag instanceof ParamTree stated
+          && !stated.getDescription().isEmpty()
+          && parameter.equals(
+              stated.isTypeParameter()
+                  ? "<" + stated.getName() + ">"
+                  : stated.getName().toString());
+    }
+
+    private static boolean statesResult(DocCommentTree comment) {
+      return Stream.of(comment.getFullBody(), comment.getBlockTags())
+          .flatMap(List::stream)
+          .anyMatch(tag -> tag instanceof ReturnTree stated && !stated.getDescription().isEmpty());
     }
 
     private static boolean states(DocCommentTree comment, String exception) {

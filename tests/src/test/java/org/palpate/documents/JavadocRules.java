@@ -44,11 +44,12 @@ final class JavadocRules {
     return faults;
   }
 
-  /** Returns the text of a comment without tables, drawings and inline tags. */
+  /** Returns the text of a comment as a page shows it, without tables and drawings. */
   private static String proseOfJavadoc(String text) {
     return text.replaceAll("(?s)<pre>.*?</pre>|<table.*?</table>", "\n\n")
         .replaceAll("(?s)\\{@(?:code|literal) [^}]*}", "code")
-        .replaceAll("(?s)\\{@\\w+ ([^}]*)}", "$1");
+        .replaceAll("(?s)\\{@(?!return)\\w+ ([^}]*)}", "$1")
+        .replaceAll("(?s)\\{@return ([^}]*)}", "Returns $1.");
   }
 
   /** Returns the sentences of a text that are too long. */

@@ -50,6 +50,7 @@ class JavadocRulesTest {
         "begins with Of", OPENING + " Of many cubes those whose solids may lie there. */ int a;");
     assertFault("words:", "/** Returns a number. " + LONG + " */ int a;");
     assertFault("words:", "/**\n * Returns.\n *\n * @param a " + LONG + "\n */ void a(int a);");
+    assertFault("words:", "/** {@return" + LONG.substring("Returns".length()) + "} */ int a();");
   }
 
   @Test
@@ -57,6 +58,7 @@ class JavadocRulesTest {
     String half = "one more word ".repeat(8).strip();
     assertNoFault("/** Returns " + half + ".\n *\n * <p>Throws " + half + ". */ int a;");
     assertNoFault("/**\n * Returns " + half + "\n *\n * @return " + half + "\n */ int a();");
+    assertNoFault("/** {@return " + half + "} Never " + half + ". */ int a();");
     assertNoFault("/** Returns a table. <pre>" + LONG + "</pre> */ int a;");
     assertNoFault("/* What is no Javadoc. */ int a;");
   }

@@ -13,7 +13,7 @@ public final class Effects {
   private Effects() {}
 
   /**
-   * Returns the plan of an effect that resists every motion.
+   * {@return the plan of an effect that resists every motion}
    *
    * @param newtonSecondPerMm force per speed, positive
    */
@@ -22,7 +22,7 @@ public final class Effects {
   }
 
   /**
-   * Returns the plan of an effect that attracts the tool to a segment. The pull is greatest
+   * {@return the plan of an effect that attracts the tool to a segment} The pull is greatest
    * half-way and small at the surface, so that it begins and ends without a step.
    *
    * @param segment measures at least up to the reach
@@ -38,7 +38,7 @@ public final class Effects {
   }
 
   /**
-   * Returns the plan of an effect that sticks to surfaces and slips.
+   * {@return the plan of an effect that sticks to surfaces and slips}
    *
    * @param newton the pull at which the hand slips, N, positive
    */
@@ -47,7 +47,7 @@ public final class Effects {
   }
 
   /**
-   * Returns the plan of an effect that shakes the hand in contact; it is active.
+   * {@return the plan of an effect that shakes the hand in contact; it is active}
    *
    * @param hertz frequency, positive
    * @param newton amplitude, N, positive
@@ -57,8 +57,9 @@ public final class Effects {
   }
 
   /**
-   * Returns the plan of an effect that lets the hand feel the detail of grey values.
+   * {@return the plan of an effect that lets the hand feel the detail of grey values}
    *
+   * @param grey the grey values whose detail is felt; kept
    * @param mmPerValue the height of a unit of detail, mm
    */
   public static EffectPlan texture(ScalarVolume grey, double mmPerValue) {

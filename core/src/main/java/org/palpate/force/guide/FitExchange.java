@@ -7,7 +7,11 @@ package org.palpate.force.guide;
 public final class FitExchange {
   private volatile FitTarget newest;
 
-  /** Replaces the fit; null for none. */
+  /**
+   * Replaces the fit.
+   *
+   * @param fit the newest fit; null for none
+   */
   public void offer(FitTarget fit) {
     newest = fit;
   }

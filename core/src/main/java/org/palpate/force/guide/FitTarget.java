@@ -37,7 +37,7 @@ public final class FitTarget {
     return body;
   }
 
-  /** Returns the pose of the body's reference point, world mm. */
+  /** {@return the pose of the body's reference point, world mm} */
   public Pose pose() {
     return pose;
   }
@@ -47,7 +47,11 @@ public final class FitTarget {
     return leverMm;
   }
 
-  /** Returns an entry of the matrix, from 0 to 35. */
+  /**
+   * {@return an entry of the matrix}
+   *
+   * @param entry the number of the entry, from 0 to 35, row by row
+   */
   public double pull(int entry) {
     return pull[entry];
   }

@@ -7,6 +7,7 @@ public interface GuideShape {
   /**
    * Writes the position of the set that is nearest to a position; any one of several.
    *
+   * @param position any position, in mm of the frame
    * @param dest may be {@code position}
    */
   void nearest(Vec3 position, Vec3 dest);

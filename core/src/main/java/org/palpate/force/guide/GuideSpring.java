@@ -31,7 +31,11 @@ public record GuideSpring(double newtonPerMm, double maxNewton, double rangeMm) 
     }
   }
 
-  /** Returns the pull at a distance, N. */
+  /**
+   * {@return the pull at a distance, N}
+   *
+   * @param distanceMm the distance, mm or rad, at least 0
+   */
   public double newton(double distanceMm) {
     double pull = Math.min(newtonPerMm * distanceMm, maxNewton);
     double fading = 2 - 2 * distanceMm / rangeMm;

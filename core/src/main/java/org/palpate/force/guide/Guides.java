@@ -9,7 +9,13 @@ import org.palpate.geometry.Vec3;
 public final class Guides {
   private Guides() {}
 
-  /** Returns the plan of a guide that keeps the hand on a straight line. */
+  /**
+   * {@return the plan of a guide that keeps the hand on a straight line}
+   *
+   * @param through a position on the line, world mm
+   * @param direction the direction of the line, in the world
+   * @param strength the spring of the guide
+   */
   public static EffectPlan axis(Vec3 through, Vec3 direction, GuideStrength strength) {
     Vec3 unit = unit(direction);
     return site ->
@@ -17,7 +23,13 @@ public final class Guides {
             new LineShape(site.position(through), site.direction(unit)), strength.spring(site));
   }
 
-  /** Returns the plan of a guide that keeps the hand in a plane. */
+  /**
+   * {@return the plan of a guide that keeps the hand in a plane}
+   *
+   * @param through a position in the plane, world mm
+   * @param normal the normal of the plane, in the world
+   * @param strength the spring of the guide
+   */
   public static EffectPlan plane(Vec3 through, Vec3 normal, GuideStrength strength) {
     Vec3 unit = unit(normal);
     return site ->
@@ -25,15 +37,25 @@ public final class Guides {
             new PlaneShape(site.position(through), site.direction(unit)), strength.spring(site));
   }
 
-  /** Returns the plan of a guide that keeps the hand in a ball. */
+  /**
+   * {@return the plan of a guide that keeps the hand in a ball}
+   *
+   * @param centre the centre of the ball, world mm
+   * @param radiusMm the radius of the ball, mm
+   * @param strength the spring of the guide
+   */
   public static EffectPlan ball(Vec3 centre, double radiusMm, GuideStrength strength) {
     return site ->
         new PositionGuide(new BallShape(site.position(centre), radiusMm), strength.spring(site));
   }
 
   /**
-   * Returns the plan of a guide that keeps the hand on a path of straight pieces; see {@link
-   * PathShape}.
+   * {@return the plan of a guide that keeps the hand on a path of straight pieces; see {@link
+   * PathShape}}
+   *
+   * @param positions the ends of the pieces in order, world mm, 2 to {@link
+   *     PathShape#MOST_POSITIONS}
+   * @param strength the spring of the guide
    */
   public static EffectPlan path(List<Vec3> positions, GuideStrength strength) {
     return site -> {
@@ -44,8 +66,12 @@ public final class Guides {
   }
 
   /**
-   * Returns the plan of a guide that lets what is held turn about an axis alone; see {@link
-   * HingeGuide}.
+   * {@return the plan of a guide that lets what is held turn about an axis alone; see {@link
+   * HingeGuide}}
+   *
+   * @param through a position on the axis, world mm
+   * @param direction the direction of the axis, in the world
+   * @param strength the springs of positions and of rotations
    */
   public static EffectPlan hinge(Vec3 through, Vec3 direction, GuideStrength strength) {
     Vec3 unit = unit(direction);
@@ -59,8 +85,11 @@ public final class Guides {
   }
 
   /**
-   * Returns the plan of a guide that turns the axis z of a rigid tool along a direction; see {@link
-   * AlignGuide}.
+   * {@return the plan of a guide that turns the axis z of a rigid tool along a direction; see
+   * {@link AlignGuide}}
+   *
+   * @param direction the direction to which the axis is turned, in the world
+   * @param strength the spring of rotations
    */
   public static EffectPlan align(Vec3 direction, GuideStrength strength) {
     Vec3 unit = unit(direction);
@@ -68,15 +97,22 @@ public final class Guides {
   }
 
   /**
-   * Returns the plan of a guide that pushes the tool out of a margin around a segment; see {@link
-   * SegmentPush}.
+   * {@return the plan of a guide that pushes the tool out of a margin around a segment; see {@link
+   * SegmentPush}}
+   *
+   * @param segment measures distances at least up to the margin
+   * @param marginMm the width of the margin, mm
+   * @param strength the push by depth; its range has no effect
    */
   public static EffectPlan away(SegmentDistance segment, double marginMm, GuideStrength strength) {
     return site -> new SegmentPush(segment, marginMm, strength.push(site)::newton, site);
   }
 
   /**
-   * Returns the plan of a guide that pulls a body in hand to where it fits; see {@link FitGuide}.
+   * {@return the plan of a guide that pulls a body in hand to where it fits; see {@link FitGuide}}
+   *
+   * @param fits delivers the newest fit, perhaps none
+   * @param strength the spring of the guide
    */
   public static EffectPlan fit(FitExchange fits, GuideStrength strength) {
     return site -> new FitGuide(fits, strength.spring(site));

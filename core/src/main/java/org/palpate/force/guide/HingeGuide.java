@@ -39,6 +39,7 @@ public final class HingeGuide implements HapticEffect {
    *
    * @param through a position on the axis, mm
    * @param axis its unit direction
+   * @param spring the spring of positions, with N and mm
    * @param turnSpring the spring of rotations, with N mm and rad
    * @param leverMm the lever of the coupling, mm; 0 for a point
    */

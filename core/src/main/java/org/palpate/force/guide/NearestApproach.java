@@ -41,6 +41,7 @@ public final class NearestApproach {
    * @param segment the name of the segment
    * @param marginMm the margin that the tool keeps, mm
    * @param solids its voxels, which do not change
+   * @param grid the grid of the segment at rest
    * @param reachMm the greatest distance that is noted, mm, positive
    */
   public NearestApproach(
@@ -54,17 +55,22 @@ public final class NearestApproach {
     grid.worldToGrid(restToGrid);
   }
 
-  /** Returns the name of the segment. */
+  /** {@return the name of the segment} */
   public String segment() {
     return segment;
   }
 
-  /** Returns the margin that the tool keeps, mm. */
+  /** {@return the margin that the tool keeps, mm} */
   public double marginMm() {
     return marginMm;
   }
 
-  /** Notes where an interaction point was at the end of a frame, grid coordinates. */
+  /**
+   * Notes where an interaction point was at the end of a frame.
+   *
+   * @param grid the position, grid coordinates of the segment
+   * @param frameNumber the number of the frame, from 0
+   */
   public void notePoint(Vec3 grid, long frameNumber) {
     note(grid.x, grid.y, grid.z, frameNumber);
   }
@@ -72,6 +78,10 @@ public final class NearestApproach {
   /**
    * Notes where a rigid tool was at the end of a frame. Cost: a few nodes of its tree, unless it
    * comes nearer than before.
+   *
+   * @param tool the sample points of the tool
+   * @param pose from the frame of the tool to the world, mm
+   * @param frameNumber the number of the frame, from 0
    */
   public void noteTool(RigidTool tool, Pose pose, long frameNumber) {
     restToGrid.multiply(scratch.set(pose), toolToGrid);
@@ -106,14 +116,16 @@ public final class NearestApproach {
     }
   }
 
-  /** Returns the number of the frame in which the tool was nearest; -1 if it never was in reach. */
+  /**
+   * {@return the number of the frame in which the tool was nearest; -1 if it never was in reach}
+   */
   public long frame() {
     return frame;
   }
 
   /**
-   * Returns the distance of the sample point that came nearest from the nearest voxel, as a closed
-   * box, mm; empty if no point ever was in reach.
+   * {@return the distance of the sample point that came nearest from the nearest voxel, as a closed
+   * box, mm; empty if no point ever was in reach}
    */
   public OptionalDouble nearestMm() {
     if (frame < 0) {

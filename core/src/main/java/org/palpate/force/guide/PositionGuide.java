@@ -27,7 +27,12 @@ public final class PositionGuide implements HapticEffect {
   private final Vec3 offset = new Vec3();
   private boolean known;
 
-  /** Creates a guide. */
+  /**
+   * Creates a guide.
+   *
+   * @param shape the positions that the guide allows; the guide keeps it
+   * @param spring the spring that pulls to them
+   */
   public PositionGuide(GuideShape shape, GuideSpring spring) {
     this.shape = shape;
     this.spring = spring;

@@ -38,6 +38,9 @@ public final class SegmentDistance {
   /**
    * Measures distances from a segment that stays at rest.
    *
+   * @param solids the voxels of the segment; they may change afterwards
+   * @param grid the grid of the segment
+   * @param reachMm the distance up to which is measured, mm
    * @see #SegmentDistance(BitCube, VoxelGrid, double, int)
    */
   public SegmentDistance(BitCube solids, VoxelGrid grid, double reachMm) {
@@ -48,6 +51,7 @@ public final class SegmentDistance {
    * Measures distances. Cost: the voxels of the box times the reach in voxels.
    *
    * @param solids the voxels of the segment
+   * @param grid the grid of the segment
    * @param reachMm the distance up to which is measured, mm; those beyond it by a longest voxel
    *     edge or more count as that
    * @param body the index of the body that the segment is, whose pose it follows; negative if it
@@ -76,7 +80,13 @@ public final class SegmentDistance {
     measure(solids);
   }
 
-  /** Returns the number of voxels whose distances are kept; may exceed {@link #MOST_VOXELS}. */
+  /**
+   * {@return the number of voxels whose distances are kept; may exceed {@link #MOST_VOXELS}}
+   *
+   * @param solids the voxels of the segment
+   * @param grid the grid of the segment
+   * @param reachMm the distance up to which is measured, mm
+   */
   public static double voxelsFor(BitCube solids, VoxelGrid grid, double reachMm) {
     IntBox box = solids.bounds();
     Vec3 spacing = grid.spacingMm();
@@ -155,7 +165,13 @@ public final class SegmentDistance {
     return least;
   }
 
-  /** Returns the distance at a position in grid coordinates, mm, at most the reach and an edge. */
+  /**
+   * {@return the distance at a position, mm, at most the reach and an edge}
+   *
+   * @param x the position along x, grid coordinates
+   * @param y its y component
+   * @param z its z component
+   */
   public double at(double x, double y, double z) {
     double u = x - 0.5 - lowX;
     double v = y - 0.5 - lowY;
@@ -182,6 +198,9 @@ public final class SegmentDistance {
   /**
    * Writes the direction in which the distance grows, along the grid's axes, at most 1 long. It
    * changes continuously with the position, and is short where directions meet.
+   *
+   * @param gridPosition the position, grid coordinates
+   * @param dest receives the direction; may be {@code gridPosition}
    */
   public void gradient(Vec3 gridPosition, Vec3 dest) {
     double x = gridPosition.x;
@@ -196,12 +215,12 @@ public final class SegmentDistance {
     dest.mul(length > 1 ? 1 / length : 1, dest);
   }
 
-  /** Returns the index of the body that the segment is; negative if it stays at rest. */
+  /** {@return the index of the body that the segment is; negative if it stays at rest} */
   public int body() {
     return body;
   }
 
-  /** Returns the grid of the segment. */
+  /** {@return the grid of the segment} */
   public VoxelGrid grid() {
     return grid;
   }

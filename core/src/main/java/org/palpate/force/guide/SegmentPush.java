@@ -36,6 +36,7 @@ public final class SegmentPush implements HapticEffect {
    * @param segment measures at least up to the margin
    * @param marginMm the width of the margin, mm
    * @param newton the push at a depth in mm, N; continuous, 0 at depth 0, negative for a pull
+   * @param site the frame that the effect belongs to
    */
   public SegmentPush(
       SegmentDistance segment, double marginMm, DoubleUnaryOperator newton, EffectSite site) {

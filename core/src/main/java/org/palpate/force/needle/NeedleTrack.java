@@ -81,6 +81,7 @@ public final class NeedleTrack implements ToolProposal {
   /**
    * Creates a needle outside of all tissue.
    *
+   * @param tissues the layers of tissue; the list is copied
    * @param grid the grid of the tissues, which rest
    * @param tip the tip in the frame of the tool, mm; the needle points along negative z
    * @param lengthMm the length of the shaft
@@ -275,17 +276,19 @@ public final class NeedleTrack implements ToolProposal {
     putTip(proposed.rotation, trackPosition(depthMm, from));
   }
 
-  /** Whether the needle is in a track. */
+  /** {@return whether the needle is in a track} */
   public boolean isInside() {
     return isInside;
   }
 
-  /** Returns how often a layer was punctured. Haptic thread, or any thread after the last frame. */
+  /**
+   * {@return how often a layer was punctured} Haptic thread, or any thread after the last frame.
+   */
   public long punctures() {
     return punctures;
   }
 
-  /** Returns the deepest place of the tip on any track, mm. Threads as {@link #punctures}. */
+  /** {@return the deepest place of the tip on any track, mm} Threads as {@link #punctures}. */
   public double deepestMm() {
     return everDeepestMm;
   }

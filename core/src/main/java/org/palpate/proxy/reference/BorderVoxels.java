@@ -10,13 +10,20 @@ import org.palpate.collision.CollisionScene;
  */
 public interface BorderVoxels {
 
-  /** Whether voxel (i,j,k) is an empty-space border voxel of the scene. */
+  /**
+   * {@return whether a voxel is an empty-space border voxel of the scene}
+   *
+   * @param scene the solids
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
+   */
   boolean isBorder(CollisionScene scene, int i, int j, int k);
 
   /** Forgets what is kept about the solids, because they may have changed. */
   default void forget() {}
 
-  /** Returns the method that reads the neighbours at each call, by up to 28 look-ups. */
+  /** {@return the method that reads the neighbours at each call, by up to 28 look-ups} */
   static BorderVoxels onTheFly() {
     return BorderVoxels::hasSolidNeighbour;
   }

@@ -28,7 +28,9 @@ public final class PrecalculatedBorderVoxels implements BorderVoxels {
   /**
    * Creates an instance that has calculated nothing yet.
    *
-   * @param sizeX the size of the grid of the scene along x, voxels; likewise y and z
+   * @param sizeX the size of the grid of the scene along x, voxels
+   * @param sizeY the size along y, voxels
+   * @param sizeZ the size along z, voxels
    */
   public PrecalculatedBorderVoxels(int sizeX, int sizeY, int sizeZ) {
     border = new BitCube(wholeBricks(sizeX), wholeBricks(sizeY), wholeBricks(sizeZ));

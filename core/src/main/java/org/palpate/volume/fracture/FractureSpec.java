@@ -45,8 +45,9 @@ public record FractureSpec(int parts, long seed, int kerfVoxels) {
   }
 
   /**
-   * Returns what {@code PARTS[:SEED[:KERF]]} specifies, as in {@code 4:7:0}.
+   * {@return what {@code PARTS[:SEED[:KERF]]} specifies, as in {@code 4:7:0}}
    *
+   * @param text the specification, without the name of a bone
    * @throws IllegalArgumentException if the text has another form; the message says what to write
    */
   public static FractureSpec parse(String text) {

@@ -63,10 +63,12 @@ public final class FragmentCutter {
   }
 
   /**
-   * Cuts a bone and returns its fragments where they rest.
+   * Cuts a bone into fragments.
    *
    * @param bone the voxels; not changed
    * @param grid their grid
+   * @param spec the number of parts, the seed and the kerf
+   * @return the fragments where they rest, the largest first
    * @throws IllegalArgumentException if a fragment would have fewer than {@link #LEAST_VOXELS}
    */
   public static Fragments cut(BitCube bone, VoxelGrid grid, FractureSpec spec) {

@@ -62,8 +62,10 @@ public final class FragmentScatter {
   }
 
   /**
-   * Returns a starting pose for each fragment, from its place in the bone to its displaced one.
+   * {@return a starting pose for each fragment, from its place in the bone to its displaced one}
    *
+   * @param fragments the fragments where they rest, the largest first
+   * @param seed the seed of the random displacements
    * @param isInside whether displaced fragments must stay inside the grid
    * @throws IllegalArgumentException if no free place is found
    */

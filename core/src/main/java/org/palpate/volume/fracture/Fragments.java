@@ -26,7 +26,7 @@ public record Fragments(VoxelGrid grid, List<BitCube> bits, long lostVoxels) {
     bits = List.copyOf(bits);
   }
 
-  /** Returns a segment for each fragment, named {@code fragment1} and so on. */
+  /** {@return a segment for each fragment, named {@code fragment1} and so on} */
   public SegmentedVolume segments() {
     List<Segment> segments = new ArrayList<>();
     for (BitCube cube : bits) {

@@ -24,8 +24,9 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
   private static final double MOST_VOXELS = 1 << 26;
 
   /**
-   * Returns the segments of a volume at poses, each on its own grid.
+   * {@return the segments of a volume at poses, each on its own grid}
    *
+   * @param rest the segments where they rest
    * @param poses the pose of each segment, from rest to present, world mm
    */
   public static List<PosedBits> of(SegmentedVolume rest, List<Pose> poses) {
@@ -37,10 +38,12 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
   }
 
   /**
-   * Returns the segments of a volume at poses, all on one grid; see {@link #resample(List,
-   * VoxelGrid)}.
+   * {@return the segments of a volume at poses, all on one grid; see {@link #resample(List,
+   * VoxelGrid)}}
    *
+   * @param rest the segments where they rest
    * @param poses the pose of each segment, from rest to present, world mm
+   * @param target the grid of the result
    */
   public static SegmentedVolume resample(SegmentedVolume rest, List<Pose> poses, VoxelGrid target) {
     List<BitCube> cubes = resample(of(rest, poses), target);
@@ -52,8 +55,11 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
   }
 
   /**
-   * Returns a grid that holds the centres of all voxels of the bodies. It is the given one if that
+   * {@return a grid that holds the centres of all voxels of the bodies} It is the given one if that
    * does. Otherwise it has the same axes and more voxels, which are larger if there were too many.
+   *
+   * @param bodies the bodies whose voxels it has to hold
+   * @param like the grid to return if it holds them, else the one whose axes to take
    */
   public static VoxelGrid gridAround(List<PosedBits> bodies, VoxelGrid like) {
     if (bodies.stream().allMatch(body -> body.voxelsOutside(like) == 0)) {
@@ -82,7 +88,11 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
     return Math.ceil(size.x / scale) * Math.ceil(size.y / scale) * Math.ceil(size.z / scale);
   }
 
-  /** Returns the number of voxels whose centres lie outside a grid. */
+  /**
+   * {@return the number of voxels whose centres lie outside a grid}
+   *
+   * @param target the grid, at rest in the world
+   */
   public long voxelsOutside(VoxelGrid target) {
     AffineMap toTarget = new PosedBits(bits, target, new Pose()).gridFrom(grid, pose);
     IntBox box = bits.bounds();
@@ -116,6 +126,8 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
    * that touch as they did at rest. A voxel that lies in two bodies goes to the one whose voxel
    * centre is nearer. If both are equally near, it goes to the first one.
    *
+   * @param bodies the bodies at their poses; an earlier one has precedence, as stated
+   * @param target the grid to sample on, at rest in the world
    * @return a cube for each body, of the size of the grid; no two share a voxel
    */
   public static List<BitCube> resample(List<PosedBits> bodies, VoxelGrid target) {
@@ -132,7 +144,12 @@ public record PosedBits(BitCube bits, VoxelGrid grid, Pose pose) {
     return cubes;
   }
 
-  /** Returns the map from the coordinates of another posed grid to the grid of this posed body. */
+  /**
+   * {@return the map from the coordinates of another posed grid to the grid of this posed body}
+   *
+   * @param other the other grid
+   * @param otherPose from the rest of the other grid to its present place, world mm
+   */
   public AffineMap gridFrom(VoxelGrid other, Pose otherPose) {
     AffineMap otherToRest = other.gridToWorld(new AffineMap());
     AffineMap otherToWorld = new AffineMap().set(otherPose).multiply(otherToRest, new AffineMap());

@@ -15,8 +15,11 @@ public final class SegmentSplit {
   private SegmentSplit() {}
 
   /**
-   * Returns the connected components, the largest first.
+   * {@return the connected components, the largest first}
    *
+   * @param bits the segment; not changed
+   * @param grid its grid, kept in the fragments
+   * @param neighbours which voxels belong together
    * @param leastVoxels smaller components are left out
    * @throws IllegalArgumentException if none is large enough, or more than {@link #MOST_PARTS} are
    */
@@ -38,9 +41,11 @@ public final class SegmentSplit {
   }
 
   /**
-   * Returns the voxels whose centres lie in front of a plane, where its normal points, and those
-   * behind it or on it; the larger part first.
+   * {@return the voxels whose centres lie in front of a plane, where its normal points, and those
+   * behind it or on it; the larger part first}
    *
+   * @param bits the segment; not changed
+   * @param grid its grid, kept in the fragments
    * @param pointMm a point of the plane, world mm
    * @param normal the normal of the plane, world; any length but 0
    * @throws IllegalArgumentException if all voxels lie on one side

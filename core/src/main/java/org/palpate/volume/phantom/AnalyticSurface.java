@@ -8,15 +8,19 @@ import org.palpate.geometry.Vec3;
  */
 public interface AnalyticSurface {
   /**
-   * Returns the distance to the surface, voxels: positive in empty space, negative in the solid.
+   * {@return the distance to the surface, voxels: positive in empty space, negative in the solid}
    *
    * @param grid a point in grid coordinates
    */
   double signedDistance(Vec3 grid);
 
   /**
-   * Writes the unit normal at the surface point closest to {@code grid} into {@code dest}, which
-   * may be {@code grid}. It points into empty space. Undefined if several points are equally close.
+   * Writes the unit normal at the surface point closest to a given point. It points into empty
+   * space. Undefined if several points are equally close.
+   *
+   * @param grid the point, grid coordinates
+   * @param dest receives the normal; may be {@code grid}
+   * @return {@code dest}
    */
   Vec3 normal(Vec3 grid, Vec3 dest);
 }

@@ -45,14 +45,19 @@ public record FracturePhantom(int edge, FractureSpec fracture) {
     }
   }
 
-  /** Whether a specification names this phantom. */
+  /**
+   * {@return whether a specification names this phantom}
+   *
+   * @param spec the text of a user, not null
+   */
   public static boolean accepts(String spec) {
     return spec.equals(NAME) || spec.startsWith(NAME + ":");
   }
 
   /**
-   * Returns what {@code fracture[:EDGE[:PARTS[:SEED[:KERF]]]]} specifies.
+   * {@return what {@code fracture[:EDGE[:PARTS[:SEED[:KERF]]]]} specifies}
    *
+   * @param spec the text of a user, one that {@link #accepts} takes
    * @throws IllegalArgumentException if the text has another form; the message says what to write
    */
   public static FracturePhantom parse(String spec) {
@@ -68,29 +73,29 @@ public record FracturePhantom(int edge, FractureSpec fracture) {
     return new FracturePhantom(Integer.parseInt(edge), FractureSpec.parse(fracture));
   }
 
-  /** Returns the text from which {@link #parse} makes this phantom. */
+  /** {@return the text from which {@link #parse} makes this phantom} */
   public String spec() {
     return NAME + ":" + edge + ":" + fracture;
   }
 
-  /** Returns the grid. */
+  /** {@return the grid} */
   public VoxelGrid grid() {
     return VoxelGrid.ofUnitVoxels(edge, edge, edge);
   }
 
-  /** Returns the bone before it broke. */
+  /** {@return the bone before it broke} */
   public BitCube bone() {
     return JawArch.bone(edge);
   }
 
-  /** Returns the fragments where they belong. */
+  /** {@return the fragments where they belong} */
   public Fragments fragments() {
     return FragmentCutter.cut(bone(), grid(), fracture);
   }
 
   /**
-   * Returns the pose of each fragment after the fracture, from its place in the bone, world mm. The
-   * first, the largest, is not displaced.
+   * {@return the pose of each fragment after the fracture, from its place in the bone, world mm}
+   * The first, the largest, is not displaced.
    *
    * @param fragments those that {@link #fragments} returned
    */

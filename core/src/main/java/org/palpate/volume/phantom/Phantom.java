@@ -91,8 +91,9 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
   }
 
   /**
-   * Returns what {@code NAME[:EDGE][:grey]} specifies, as in {@code torus:192:grey}.
+   * {@return what {@code NAME[:EDGE][:grey]} specifies, as in {@code torus:192:grey}}
    *
+   * @param spec the text of a user
    * @throws IllegalArgumentException if the text is no phantom; the message names what to choose
    */
   public static Phantom parse(String spec) {
@@ -127,17 +128,17 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     return Integer.parseInt(edge);
   }
 
-  /** Returns the text from which {@link #parse} makes this phantom, but for the seed. */
+  /** {@return the text from which {@link #parse} makes this phantom, but for the seed} */
   public String spec() {
     return kind.name().toLowerCase(Locale.ROOT) + ":" + edge + (grey ? ":grey" : "");
   }
 
-  /** Returns the grid. */
+  /** {@return the grid} */
   public VoxelGrid grid() {
     return VoxelGrid.ofUnitVoxels(edge, edge, edge);
   }
 
-  /** Returns the labels in ascending order; the same with and without grey values. */
+  /** {@return the labels in ascending order; the same with and without grey values} */
   public List<Label> labels() {
     if (kind == Kind.HEAD) {
       return List.of(
@@ -153,7 +154,7 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     return List.of(new Label(1, kind.name().toLowerCase(Locale.ROOT), 0xD8D0C0));
   }
 
-  /** Returns the thresholds for grey values: half way between empty space and each matter. */
+  /** {@return the thresholds for grey values: half way between empty space and each matter} */
   public List<Threshold> thresholds() {
     if (kind == Kind.HEAD) {
       int betweenSkinAndBone = (HeadAnatomy.SKIN_GREY + SOLID_GREY) / 2;
@@ -165,7 +166,7 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
   }
 
   /**
-   * Returns a segment for each label, with or without grey values. At an edge of 256 voxels this
+   * {@return a segment for each label, with or without grey values} At an edge of 256 voxels this
    * takes a fraction of a second and 2 MB a label.
    */
   public SegmentedVolume segments() {
@@ -182,12 +183,12 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
     return new SegmentedVolume(grid(), segments);
   }
 
-  /** Returns a reader of the voxels, labels or grey values, slice by slice. */
+  /** {@return a reader of the voxels, labels or grey values, slice by slice} */
   public PhantomSlices slices() {
     return new PhantomSlices(new PhantomBrickWriter(bricks(grey), edge), edge, grey);
   }
 
-  /** Returns the analytic surface; empty for a head, a maze or a block. */
+  /** {@return the analytic surface; empty for a head, a maze or a block} */
   public Optional<AnalyticSurface> analyticSurface() {
     return PhantomShapes.analyticSurface(kind, edge);
   }
