@@ -148,6 +148,36 @@ class ElasticSceneTest {
     assertArrayEquals(Files.readAllBytes(file("fbefore")), Files.readAllBytes(file("fafter")));
   }
 
+  @Test
+  void aSceneThatASessionWroteHasItsFills() throws IOException {
+    Path left = file("left.json");
+    List<Object> touch = new ArrayList<>(List.of("touch", "--phantom", "head:" + EDGE));
+    touch.addAll(List.of("--elastic", "skin=young:20e3", "--elastic", "tissue=young:5e3"));
+    touch.addAll(List.of("--headless", "--lattice", 8, "--seconds", 0.3));
+    touch.addAll(List.of("--save-scene", left, "--export", file("left.nrrd")));
+    CommandRun.of(touch.toArray()).mustSucceed();
+    head("before", "--elastic", "tissue=young:5e3").mustSucceed();
+    replay("cheek.csv", "after", "--scene", left, "--lattice", 4).mustSucceed();
+    assertArrayEquals(Files.readAllBytes(file("fbefore")), Files.readAllBytes(file("fafter")));
+    String fill = "/elastic/untouchable_voxels";
+    assertEquals(report("before").get(fill), report("after").get(fill));
+    assertEquals(null, report("after").get("/segments/3/name"), "the tissue is no segment");
+    replay("cheek.csv", "hard", "--scene", left, "--lattice", 4, "--elastic", "tissue=young:1e5")
+        .mustSucceed();
+    assertTrue(lastForce("hard") > 1.5 * lastForce("after"));
+  }
+
+  @Test
+  void aFillWithoutVoxelsIsRefusedInOneLine() throws IOException {
+    Path scene = scene("s.json", ",'mobility':'elastic','young_pa':20000", "");
+    String fill =
+        ",{'name':'fat','volume':'block.nrrd','segment':'fill:label:7',"
+            + "'mobility':'elastic','young_pa':1000}]";
+    Files.writeString(scene, Files.readString(scene).replace("]", fill.replace('\'', '"')));
+    String refusal = replay("top.csv", "", "--scene", scene).mustRefuse();
+    assertTrue(refusal.startsWith("palpate: the fill fat has no voxel: "), refusal);
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

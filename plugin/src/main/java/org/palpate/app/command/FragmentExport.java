@@ -5,12 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.palpate.app.options.OutputPaths;
+import org.palpate.app.options.SceneElasticity;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.Placement;
-import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.io.VolumeWriter;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.label.SegmentsAsLabels;
@@ -91,18 +90,21 @@ final class FragmentExport {
 
   /** Writes everything that was asked for, and returns a line for each file or folder. */
   List<String> write(PlacedVolume bodies) throws IOException {
-    return write(bodies, Map.of());
+    return write(bodies, SceneElasticity.NONE);
   }
 
   /**
    * Writes everything that was asked for, as the other method does.
    *
-   * @param elastic the materials of elastic bodies by name
+   * @param elastic that of the bodies in a scene file, with its fills
    */
-  List<String> write(PlacedVolume bodies, Map<String, ElasticMaterial> elastic) throws IOException {
+  List<String> write(PlacedVolume bodies, SceneElasticity elastic) throws IOException {
     List<String> lines = new ArrayList<>();
     if (labels != null) {
       SegmentedVolume written = writesRest(bodies) ? bodies.rest() : bodies.present();
+      if (writesRest(bodies)) {
+        written = elastic.withFills(written);
+      }
       String format = VolumeWriter.write(new SegmentsAsLabels(written, bodies.world()), labels);
       lines.add(format + ": " + labels);
       if (!writesRest(bodies)) {
@@ -126,36 +128,28 @@ final class FragmentExport {
         : "";
   }
 
-  private void writeScene(PlacedVolume bodies, Map<String, ElasticMaterial> elastic, Path file) {
+  private void writeScene(PlacedVolume bodies, SceneElasticity elastic, Path file) {
     try (AtomicFile target = new AtomicFile(file)) {
-      SceneWriter.write(withElasticity(written(bodies, file), elastic), target.stream());
+      SceneWriter.write(written(bodies, elastic, file), target.stream());
       target.commit();
     } catch (IOException e) {
       throw OutputPaths.failed(file, e);
     }
   }
 
-  private static SceneFile withElasticity(SceneFile scene, Map<String, ElasticMaterial> elastic) {
-    List<SceneBody> bodies = new ArrayList<>();
-    for (SceneBody body : scene.bodies()) {
-      ElasticMaterial material = elastic.get(body.name());
-      bodies.add(
-          material == null ? body : body.elastic(material.youngPascal(), material.poisson()));
-    }
-    return scene.with(bodies, scene.tool());
-  }
-
-  private SceneFile written(PlacedVolume bodies, Path file) {
+  private SceneFile written(PlacedVolume bodies, SceneElasticity elastic, Path file) {
     if (!writesRest(bodies)) {
       return bodies.origin().orElseThrow().at(bodies.poses(), file);
     }
     Path folder = file.toAbsolutePath().normalize().getParent();
     Path relative = folder.relativize(labels.toAbsolutePath().normalize());
     String volume = relative.toString().replace('\\', '/');
-    return bodies
-        .origin()
-        .map(opened -> opened.asLabels(bodies.poses(), volume, file))
-        .orElseGet(() -> SceneFile.ofBodies(fragments(bodies, volume)));
+    SceneFile scene =
+        bodies
+            .origin()
+            .map(opened -> opened.asLabels(bodies.poses(), volume, file))
+            .orElseGet(() -> SceneFile.ofBodies(fragments(bodies, volume)));
+    return elastic.of(scene, volume);
   }
 
   private static List<SceneBody> fragments(PlacedVolume bodies, String volume) {

@@ -6,7 +6,6 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
@@ -25,6 +24,7 @@ import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.RecordOptions;
+import org.palpate.app.options.SceneElasticity;
 import org.palpate.app.options.SliceOptions;
 import org.palpate.app.options.SurfaceOptions;
 import org.palpate.app.options.ToolOptions;
@@ -41,7 +41,6 @@ import org.palpate.app.process.ShutdownHook;
 import org.palpate.app.process.VersionProvider;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
-import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
@@ -303,8 +302,8 @@ public final class TouchCommand implements Callable<Integer> {
       report.put("fracture", readings.field());
     }
     report.write();
-    Map<String, ElasticMaterial> moduli = elastic.touchable(scene.volume());
-    failures.attempt(exportFile, () -> bodies.write(left, moduli).forEach(out::println));
+    SceneElasticity elasticity = elastic.elasticity(scene.volume());
+    failures.attempt(exportFile, () -> bodies.write(left, elasticity).forEach(out::println));
     if (failures.exitCode() == 0) {
       autosave.ifPresent(file -> failures.attempt(file.target(), file::end));
     }

@@ -20,6 +20,8 @@ import org.palpate.host.ReplayRun;
 import org.palpate.host.SolverKind;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.scene.SceneBody;
+import org.palpate.io.scene.SceneFile;
+import org.palpate.io.scene.SceneFill;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.BitCube;
@@ -75,11 +77,14 @@ public final class ElasticOptions {
 
   private boolean fillsHead;
 
-  /** The fills of the last volume, and the voxels of each. */
-  private final Map<ElasticFill, BitCube> fills = new LinkedHashMap<>();
+  /** The voxels of the fills of the last volume, by name. */
+  private final Map<String, BitCube> fills = new LinkedHashMap<>();
 
-  /** The materials of the elastic bodies of a scene file. */
+  /** The materials of the elastic bodies and fills of a scene file. */
   private final Map<String, ElasticMaterial> ofScene = new LinkedHashMap<>();
+
+  /** The voxels of the fills of a scene file. */
+  private final Map<String, BitCube> fillsOfScene = new LinkedHashMap<>();
 
   /** Whether a segment is elastic. */
   public boolean isWanted() {
@@ -96,20 +101,26 @@ public final class ElasticOptions {
       return;
     }
     Path file = volume.scene().get();
-    for (SceneBody body : SceneReader.read(file).bodies()) {
+    SceneFile scene = SceneReader.read(file);
+    for (SceneBody body : scene.bodies()) {
       if (body.mobility() == Mobility.ELASTIC) {
-        ofScene.put(body.name(), material(body, file));
+        takeMaterial(file, body.name(), body.youngPa().orElseThrow(), body.poisson());
       }
+    }
+    for (SceneFill each : scene.fills()) {
+      takeMaterial(file, each.name(), each.youngPa(), each.poisson());
+      fillsOfScene.put(each.name(), each.voxels(file));
     }
   }
 
-  private static ElasticMaterial material(SceneBody body, Path file) throws VolumeFormatException {
-    double poisson = body.poisson().orElse(ElasticMaterial.USUAL_POISSON);
+  private void takeMaterial(Path file, String body, double youngPa, OptionalDouble poisson)
+      throws VolumeFormatException {
     try {
-      return new ElasticMaterial(body.youngPa().orElseThrow(), poisson);
+      double ratio = poisson.orElse(ElasticMaterial.USUAL_POISSON);
+      ofScene.put(body, new ElasticMaterial(youngPa, ratio));
     } catch (IllegalArgumentException e) {
       throw new VolumeFormatException(
-          e.getMessage(), file + ": body " + body.name(), "correct young_pa or poisson", e);
+          e.getMessage(), file + ": body " + body, "correct young_pa or poisson", e);
     }
   }
 
@@ -241,18 +252,12 @@ public final class ElasticOptions {
 
   private void findFills(SegmentedVolume volume) {
     fills.clear();
+    fills.putAll(fillsOfScene);
     if (fill.isEmpty() && fillsHead && ElasticFill.OF_HEAD.fits(volume)) {
-      fills.put(ElasticFill.OF_HEAD, ElasticFill.OF_HEAD.voxels(volume));
+      fills.put(ElasticFill.OF_HEAD.name(), ElasticFill.OF_HEAD.voxels(volume));
     }
     fill.forEach(
-        (name, between) -> {
-          ElasticFill wanted = ElasticFill.parse(name, between);
-          fills.put(wanted, wanted.voxels(volume));
-        });
-  }
-
-  private boolean isFill(String name) {
-    return fills.keySet().stream().anyMatch(each -> each.name().equals(name));
+        (name, between) -> fills.put(name, ElasticFill.parse(name, between).voxels(volume)));
   }
 
   /** Returns the materials by the names of segments and fills. */
@@ -260,7 +265,7 @@ public final class ElasticOptions {
     Map<String, ElasticMaterial> materials = new LinkedHashMap<>(ofScene);
     elastic.forEach(
         (name, text) -> {
-          if (!isFill(name)) {
+          if (!fills.containsKey(name)) {
             checkNamed(volume, "--elastic", name);
           }
           materials.put(name, material(name, text));
@@ -271,28 +276,23 @@ public final class ElasticOptions {
         .forEach(
             each ->
                 materials.computeIfAbsent(
-                    each.name(), name -> new ElasticMaterial(USUAL_FILL_PASCAL, poisson)));
+                    each, name -> new ElasticMaterial(USUAL_FILL_PASCAL, poisson)));
     return materials;
   }
 
   /**
-   * Returns the materials of the elastic segments of a volume, without those of fills, after {@link
-   * #bodies}; none if nothing is elastic.
+   * Returns the elasticity of a volume, to be written into a scene file, after {@link #bodies};
+   * without any material if nothing is elastic.
    */
-  public Map<String, ElasticMaterial> touchable(SegmentedVolume volume) {
-    if (!isWanted()) {
-      return Map.of();
-    }
-    Map<String, ElasticMaterial> touchable = materials(volume);
-    fills.keySet().forEach(each -> touchable.remove(each.name()));
-    return touchable;
+  public SceneElasticity elasticity(SegmentedVolume volume) {
+    return isWanted() ? new SceneElasticity(materials(volume), fills) : SceneElasticity.NONE;
   }
 
   private ElasticBody newBody(SegmentedVolume volume) {
     Map<String, ElasticMaterial> materials = materials(volume);
     List<ElasticSegment> soft = new ArrayList<>();
     fills.forEach(
-        (each, voxels) -> soft.add(new ElasticSegment(voxels, materials.get(each.name()), false)));
+        (name, voxels) -> soft.add(new ElasticSegment(voxels, materials.get(name), false)));
     try {
       OptionalDouble edgeMm = LATTICE.checkGiven(latticeMm);
       return ElasticPlan.of(volume, materials, soft, edgeMm).get();

@@ -9,6 +9,7 @@ import org.palpate.body.Mobility;
  * The content of a scene file.
  *
  * @param bodies the bodies in the order in which results number them; at least one
+ * @param fills elastic matter that cannot be touched, after the bodies
  * @param tool the tool; empty for a point
  * @param device the mapping of the device
  * @param protect what cutting spares
@@ -16,6 +17,7 @@ import org.palpate.body.Mobility;
  */
 public record SceneFile(
     List<SceneBody> bodies,
+    List<SceneFill> fills,
     Optional<SceneTool> tool,
     Optional<SceneDevice> device,
     List<String> protect,
@@ -26,6 +28,7 @@ public record SceneFile(
   /** Copies the lists. */
   public SceneFile {
     bodies = List.copyOf(bodies);
+    fills = List.copyOf(fills);
     protect = List.copyOf(protect);
   }
 
@@ -37,11 +40,16 @@ public record SceneFile(
   /** Returns a scene of bodies and a point tool. */
   public static SceneFile ofBodies(List<SceneBody> bodies) {
     return new SceneFile(
-        bodies, Optional.empty(), Optional.empty(), List.of(), OptionalDouble.empty());
+        bodies, List.of(), Optional.empty(), Optional.empty(), List.of(), OptionalDouble.empty());
   }
 
   /** Returns this scene with other bodies and another tool. */
   public SceneFile with(List<SceneBody> newBodies, Optional<SceneTool> newTool) {
-    return new SceneFile(newBodies, newTool, device, protect, carve);
+    return new SceneFile(newBodies, fills, newTool, device, protect, carve);
+  }
+
+  /** Returns this scene with other bodies and other fills. */
+  public SceneFile with(List<SceneBody> newBodies, List<SceneFill> newFills) {
+    return new SceneFile(newBodies, newFills, tool, device, protect, carve);
   }
 }

@@ -53,14 +53,42 @@ public final class SceneReader {
       throw top.refusal("version", "must be " + SceneFile.VERSION);
     }
     List<SceneBody> bodies = new ArrayList<>();
+    List<SceneFill> fills = new ArrayList<>();
     Set<String> names = new HashSet<>();
-    for (Object body : top.array("bodies")) {
-      bodies.add(body("bodies[" + bodies.size() + "]", body, names));
+    for (Object element : top.array("bodies")) {
+      String path = "bodies[" + (bodies.size() + fills.size()) + "]";
+      SceneBody body = body(path, element, names);
+      if (body.segment().filter(text -> text.startsWith(SceneFill.PREFIX)).isPresent()) {
+        fills.add(fill(top, path, body, bodies));
+      } else if (fills.isEmpty()) {
+        bodies.add(body);
+      } else {
+        throw top.refusal(path, "comes after a fill; move the fills to the end");
+      }
     }
     if (bodies.isEmpty()) {
       throw top.refusal("bodies", "must have at least one body");
     }
-    return new SceneFile(bodies, tool(top), device(top), protect(top), top.positive("carve"));
+    return new SceneFile(
+        bodies, fills, tool(top), device(top), protect(top), top.positive("carve"));
+  }
+
+  /** Returns the fill that an elastic body describes. */
+  private static SceneFill fill(
+      JsonFields top, String path, SceneBody body, List<SceneBody> touchable)
+      throws VolumeFormatException {
+    if (body.mobility() != Mobility.ELASTIC || !body.pose().sameBits(new Pose())) {
+      throw top.refusal(path, "is a fill, so it must be elastic and have no pose");
+    }
+    if (touchable.stream().noneMatch(other -> other.mobility() == Mobility.ELASTIC)) {
+      throw top.refusal(path, "is a fill, and no body before it is elastic");
+    }
+    if (touchable.stream().noneMatch(other -> other.source().equals(body.source()))) {
+      throw top.refusal(path + ".volume", "must be that of a body before the fill");
+    }
+    String segment = body.segment().orElseThrow().substring(SceneFill.PREFIX.length());
+    return new SceneFill(
+        body.name(), body.source(), segment, body.youngPa().orElseThrow(), body.poisson());
   }
 
   private SceneBody body(String path, Object value, Set<String> names)

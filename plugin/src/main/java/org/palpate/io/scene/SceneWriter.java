@@ -2,10 +2,12 @@ package org.palpate.io.scene;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import org.palpate.body.Mobility;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -22,7 +24,10 @@ public final class SceneWriter {
   public static void write(SceneFile scene, OutputStream stream) throws IOException {
     Map<String, Object> top = new LinkedHashMap<>();
     top.put("version", SceneFile.VERSION);
-    top.put("bodies", scene.bodies().stream().map(SceneWriter::body).toList());
+    List<Map<String, Object>> bodies = new ArrayList<>();
+    scene.bodies().forEach(body -> bodies.add(body(body)));
+    scene.fills().forEach(fill -> bodies.add(fill(fill)));
+    top.put("bodies", bodies);
     scene.tool().ifPresent(tool -> top.put("tool", tool(tool)));
     scene.device().ifPresent(device -> top.put("device", device(device)));
     if (!scene.protect().isEmpty()) {
@@ -42,6 +47,17 @@ public final class SceneWriter {
     body.material().ifPresent(material -> fields.put("material", material));
     body.youngPa().ifPresent(young -> fields.put("young_pa", young));
     body.poisson().ifPresent(ratio -> fields.put("poisson", ratio));
+    return fields;
+  }
+
+  private static Map<String, Object> fill(SceneFill fill) {
+    Map<String, Object> fields = new LinkedHashMap<>();
+    fields.put("name", fill.name());
+    fields.put("volume", fill.source());
+    fields.put("segment", SceneFill.PREFIX + fill.segment());
+    fields.put("mobility", Mobility.ELASTIC.name().toLowerCase(Locale.ROOT));
+    fields.put("young_pa", fill.youngPa());
+    fill.poisson().ifPresent(ratio -> fields.put("poisson", ratio));
     return fields;
   }
 

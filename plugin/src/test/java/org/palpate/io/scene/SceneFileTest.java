@@ -58,6 +58,7 @@ class SceneFileTest {
       for (int n = 0; n < scene.bodies().size(); n++) {
         assertTrue(scene.bodies().get(n).pose().sameBits(again.bodies().get(n).pose()));
       }
+      assertEquals(scene.fills(), again.fills());
       assertEquals(scene.carve(), again.carve());
       assertEquals(scene.tool(), again.tool());
       assertEquals(scene.protect(), again.protect());
@@ -86,8 +87,13 @@ class SceneFileTest {
             Optional.of("friction:0.3"),
             OptionalDouble.of(random.nextDouble(1e5)),
             OptionalDouble.of(0.49 * random.nextDouble())));
+    List<SceneFill> fills =
+        List.of(
+            new SceneFill("fat", "v.nrrd", ">=3", random.nextDouble(1e5), OptionalDouble.empty()),
+            SceneFill.ofLabel("muscle", "v.nrrd", 7, 1e4, 0.49 * random.nextDouble()));
     return new SceneFile(
         bodies,
+        fills,
         Optional.of(
             new SceneTool(
                 "tool.nrrd",
@@ -128,6 +134,15 @@ class SceneFileTest {
         "bodies[0].segment is for a volume|{'bodies':[{'name':'a','mesh':'m.stl','segment':'x'}]}",
         "bodies[1].name is a|{'bodies':[B,B]}",
         "bodies[0].mobility must be|{'bodies':[{'name':'a','volume':'v','mobility':'free'}]}",
+        "bodies[1] is a fill, so|{'bodies':[B,{'name':'b','volume':'v','segment':'fill:label:2'}]}",
+        "bodies[1] is a fill, and no body before|{'bodies':[B,{'name':'b','volume':'v',"
+            + "'segment':'fill:label:2','mobility':'elastic','young_pa':1}]}",
+        "bodies[1].volume must be|{'bodies':[{'name':'a','volume':'v','mobility':'elastic',"
+            + "'young_pa':1},{'name':'b','volume':'w','segment':'fill:label:2',"
+            + "'mobility':'elastic','young_pa':1}]}",
+        "bodies[2] comes after a fill|{'bodies':[{'name':'a','volume':'v','mobility':'elastic',"
+            + "'young_pa':1},{'name':'b','volume':'v','segment':'fill:label:2',"
+            + "'mobility':'elastic','young_pa':1},{'name':'c','volume':'v'}]}",
         "bodies[0].young_pa is missing|{'bodies':[{'name':'a','volume':'v','mobility':'elastic'}]}",
         "bodies[0].young_pa is for|{'bodies':[{'name':'a','volume':'v','young_pa':1}]}",
         "bodies[0].young_pa must"
