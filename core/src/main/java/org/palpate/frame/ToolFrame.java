@@ -3,7 +3,6 @@ package org.palpate.frame;
 import java.util.ArrayDeque;
 import java.util.Map;
 import java.util.Queue;
-import java.util.concurrent.atomic.AtomicReference;
 import org.palpate.body.BodyEvent;
 import org.palpate.body.BodyGroups;
 import org.palpate.body.BodyListener;
@@ -12,8 +11,8 @@ import org.palpate.body.Mobility;
 import org.palpate.carve.CarveSettings;
 import org.palpate.carve.ToolCarver;
 import org.palpate.collision.CollisionScene;
-import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
+import org.palpate.edit.EditListener;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.PlacementLog;
 import org.palpate.edit.VoxelWriter;
@@ -22,7 +21,7 @@ import org.palpate.force.GreyMaterials;
 import org.palpate.force.HandState;
 import org.palpate.force.ToolProposal;
 import org.palpate.force.guide.NearestApproach;
-import org.palpate.geometry.IntBox;
+import org.palpate.frame.HoldRequests.Request;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.rigid.RigidCoupling;
@@ -64,8 +63,7 @@ public final class ToolFrame extends HapticFrame {
   private int mostReduced;
 
   private volatile ForceSettings requestedForce;
-  private boolean isHoldPressed;
-  private final AtomicReference<HoldRequest> holdRequest = new AtomicReference<>(HoldRequest.NONE);
+  private final HoldRequests holdRequests = new HoldRequests();
   private volatile int heldBody = Grasp.NO_BODY;
 
   private final PoseRequests requestedPoses;
@@ -78,13 +76,6 @@ public final class ToolFrame extends HapticFrame {
   /** Recorded events for the next frame. */
   private final Queue<Runnable> repetitions = new ArrayDeque<>();
 
-  /** A change of what the hand holds. */
-  private enum HoldRequest {
-    NONE,
-    TAKE,
-    LET_GO
-  }
-
   /**
    * Makes a frame that has not run yet.
    *
@@ -93,6 +84,7 @@ public final class ToolFrame extends HapticFrame {
    * @param solver moves the tool among the bodies; belongs to the frame from now on
    * @param coupling turns the distance between device and tool into force and torque, with the
    *     stiffness of the general material of {@code settings}
+   * @param settings materials, friction and limits
    * @param edits changes of the bodies' voxels, applied before the tool moves
    * @param publisher receives each frame's result
    */
@@ -111,7 +103,8 @@ public final class ToolFrame extends HapticFrame {
     this.edits = edits;
     this.publisher = publisher;
     PlacementLog placements = new PlacementLog((body, pose) -> bodies.body(body).setPose(pose));
-    voxels = new VoxelWriter(new CollisionScene(bodies.cubes()), this::noteEdit, placements);
+    EditListener noted = (segment, changed) -> bodies.body(segment).voxelsChanged(changed);
+    voxels = new VoxelWriter(new CollisionScene(bodies.cubes()), noted, placements);
     limitMovableBodies();
     place = new RigidPlace(bodies, solver.newBlockingVoxels(), motion, devicePose);
     voxels.follow(place);
@@ -139,9 +132,9 @@ public final class ToolFrame extends HapticFrame {
   @Override
   void applyRequests() {
     grasp.force().change(requestedForce);
-    takeButton();
+    holdRequests.takeButton(sample.buttons);
     if (!voxels.history().isMoving()) {
-      applyHold(holdRequest.getAndSet(HoldRequest.NONE));
+      applyHold(holdRequests.take());
     }
     while (!repetitions.isEmpty()) {
       repetitions.remove().run();
@@ -149,26 +142,18 @@ public final class ToolFrame extends HapticFrame {
     requestedPoses.apply(grasp, solver.bodies());
   }
 
-  private void takeButton() {
-    boolean pressed = (sample.buttons & DeviceState.FIRST_BUTTON) != 0;
-    if (pressed != isHoldPressed) {
-      isHoldPressed = pressed;
-      holdRequest.set(pressed ? HoldRequest.TAKE : HoldRequest.LET_GO);
-    }
-  }
-
-  private void applyHold(HoldRequest request) {
-    if (request == HoldRequest.NONE) {
+  private void applyHold(Request request) {
+    if (request == Request.NONE) {
       return;
     }
     boolean holds = grasp.held() != Grasp.NO_BODY;
     int touched = holds ? Grasp.NO_BODY : grasp.touched(motion);
     BodyGroups bound = groups;
-    if (request == HoldRequest.TAKE && touched != Grasp.NO_BODY && !bound.isLocked(touched)) {
+    if (request == Request.TAKE && touched != Grasp.NO_BODY && !bound.isLocked(touched)) {
       grasp.take(touched, devicePose, forceOfContact(), torqueOfContact(), motion);
       holdChanged(touched, BodyEvent.TAKEN);
       joinAll(touched, bound);
-    } else if (request == HoldRequest.LET_GO) {
+    } else if (request == Request.LET_GO) {
       letGo();
     }
   }
@@ -224,10 +209,6 @@ public final class ToolFrame extends HapticFrame {
     }
   }
 
-  private void noteEdit(int segment, IntBox changed) {
-    bodies.body(segment).voxelsChanged(changed);
-  }
-
   @Override
   public VoxelWriter voxels() {
     return voxels;
@@ -238,12 +219,20 @@ public final class ToolFrame extends HapticFrame {
     carver = new ToolCarver(settings, bodies, place.blocking(), voxels);
   }
 
-  /** Takes materials from grey values from now on. Call it before the first frame. */
+  /**
+   * Takes materials from grey values from now on. Call it before the first frame.
+   *
+   * @param materials belong to the bodies at rest
+   */
   public void use(GreyMaterials materials) {
     grasp.use(materials);
   }
 
-  /** Lets something propose where the tool goes. Call it before the first frame. */
+  /**
+   * Lets something propose where the tool goes. Call it before the first frame.
+   *
+   * @param proposal belongs to the frame from now on
+   */
   public void use(ToolProposal proposal) {
     grasp.use(proposal);
   }
@@ -335,7 +324,11 @@ public final class ToolFrame extends HapticFrame {
     publisher.publish(devicePose, motion, forceNewton, torqueNewtonMm, frame);
   }
 
-  /** Changes materials and friction from the next frame on. Any thread. */
+  /**
+   * Changes materials and friction from the next frame on. Any thread.
+   *
+   * @param requested the new materials and the form of friction
+   */
   public void requestForce(ForceSettings requested) {
     requestedForce = requested;
   }
@@ -346,12 +339,12 @@ public final class ToolFrame extends HapticFrame {
    * Nothing happens without one. Any thread.
    */
   public void requestTake() {
-    holdRequest.set(HoldRequest.TAKE);
+    holdRequests.request(Request.TAKE);
   }
 
   /** Lets go of the body in hand in the next frame; undo can take it back. Any thread. */
   public void requestLetGo() {
-    holdRequest.set(HoldRequest.LET_GO);
+    holdRequests.request(Request.LET_GO);
   }
 
   /**
@@ -370,7 +363,11 @@ public final class ToolFrame extends HapticFrame {
     requestedPoses.request(body, restToPresent);
   }
 
-  /** Sets who receives where bodies are put. Call it before the first frame. */
+  /**
+   * Sets who receives where bodies are put. Call it before the first frame.
+   *
+   * @param newListener receives each event on the haptic thread
+   */
   public void listen(BodyListener newListener) {
     bodyReport.listen(newListener);
   }
@@ -380,7 +377,11 @@ public final class ToolFrame extends HapticFrame {
    * BodyListener#accept}. A body approaches a pose, unless the hand holds it. Allocates. Haptic
    * thread, between two frames.
    *
+   * @param body the index of the body in the scene
+   * @param event what happened to it
    * @param pose finite, with a unit quaternion
+   * @param inHand the pose of its reference point relative to the device; only for {@link
+   *     BodyEvent#TAKEN}
    * @throws IllegalArgumentException if the body cannot move
    */
   public void repeat(int body, BodyEvent event, Pose pose, Pose inHand) {
@@ -427,18 +428,18 @@ public final class ToolFrame extends HapticFrame {
     }
   }
 
-  /** Returns the index of the body that is held; -1 if the hand holds the tool. Any thread. */
+  /** {@return the index of the body that is held; -1 if the hand holds the tool} Any thread. */
   public int heldBody() {
     return heldBody;
   }
 
-  /** Returns the body that is held, or else the one that is pressed; -1 if none. Any thread. */
+  /** {@return the body that is held, or else the one that is pressed; -1 if none} Any thread. */
   public int chosenBody() {
     int held = heldBody;
     return held == Grasp.NO_BODY ? pressedBody : held;
   }
 
-  /** Returns which bodies are locked and which move together. Any thread. */
+  /** {@return which bodies are locked and which move together} Any thread. */
   public BodyGroups groups() {
     return groups;
   }
@@ -447,44 +448,41 @@ public final class ToolFrame extends HapticFrame {
    * Changes which bodies are locked and which move together, from the next time on that the hand
    * takes hold. One thread at a time.
    *
+   * @param requested locks and groups of the bodies of this frame
    * @throws IllegalArgumentException if a body that stands still is to move together with others
    */
   public void requestGroups(BodyGroups requested) {
-    for (int n = 0; n < bodies.count(); n++) {
-      if (requested.size(n) > 1) {
-        solver.requireMovable(n);
-      }
-    }
+    solver.requireMovable(requested);
     groups = requested;
   }
 
   /**
-   * Returns the motion of the tool, or of the body that is held, in the last frame. It belongs to
+   * {@return the motion of the tool, or of the body that is held, in the last frame} It belongs to
    * the frame.
    */
   public ToolMotion motion() {
     return motion;
   }
 
-  /** Returns the tool, or the sample points of the body that is held. */
+  /** {@return the tool, or the sample points of the body that is held} */
   public RigidTool shape() {
     return grasp.solver().shape();
   }
 
-  /** Returns the device pose that the last frame followed, world mm. It belongs to the frame. */
+  /** {@return the device pose that the last frame followed, world mm} It belongs to the frame. */
   public Pose devicePose() {
     return devicePose;
   }
 
   /**
-   * Returns the most points that kept less than their clearance in any frame. Haptic thread, or any
-   * thread after the last frame.
+   * {@return the most points that kept less than their clearance in any frame} Haptic thread, or
+   * any thread after the last frame.
    */
   public int mostReducedPoints() {
     return mostReduced;
   }
 
-  /** Returns the work of the last frame, in the units of {@link RigidSolver#work}. */
+  /** {@return the work of the last frame, in the units of {@link RigidSolver#work}} */
   public long work() {
     return grasp.solver().work();
   }

@@ -1,5 +1,6 @@
 package org.palpate.rigid;
 
+import org.palpate.body.BodyGroups;
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.rigid.Mover.EditOutcome;
@@ -90,13 +91,19 @@ public final class RigidSolver {
    * Creates a solver for a tool that stands nowhere yet, among bodies that stand still; see {@link
    * #place}.
    *
+   * @param bodies the bodies at their present poses
+   * @param tool the sample points of the tool
    * @param settings clearances by body and limits
    */
   public RigidSolver(BodyScene bodies, RigidTool tool, RigidSettings settings) {
     this(new RigidScene(bodies, tool, MovableShapes.none(bodies), settings));
   }
 
-  /** Creates a solver for the tool of a scene, which stands nowhere yet; see {@link #place}. */
+  /**
+   * Creates a solver for the tool of a scene, which stands nowhere yet; see {@link #place}.
+   *
+   * @param scene belongs to this solver and those that {@link #ofBody} makes
+   */
   public RigidSolver(RigidScene scene) {
     this(scene, scene.toolIndex());
   }
@@ -115,9 +122,10 @@ public final class RigidSolver {
   }
 
   /**
-   * Returns a solver that moves a body of the same scene as the tool of the hand, once {@link
-   * #takeOver} was called. Allocates.
+   * {@return a solver that moves a body of the same scene as the tool of the hand, once {@link
+   * #takeOver} was called} Allocates.
    *
+   * @param body the index of the body in the scene
    * @throws IllegalArgumentException if the body stands still
    */
   public RigidSolver ofBody(int body) {
@@ -125,7 +133,11 @@ public final class RigidSolver {
     return new RigidSolver(scene, body);
   }
 
-  /** Whether a body of the scene can move. */
+  /**
+   * {@return whether a body of the scene can move}
+   *
+   * @param body the index of the body in the scene
+   */
   public boolean canMove(int body) {
     return scene.verifier(body) != null;
   }
@@ -133,13 +145,28 @@ public final class RigidSolver {
   /**
    * Checks that a body of the scene can move. Any thread.
    *
+   * @param body the index of the body in the scene
    * @throws IllegalArgumentException if it stands still
    */
   public void requireMovable(int body) {
     scene.requireMovable(body);
   }
 
-  /** Returns what this solver moves: its sample points and its metric. */
+  /**
+   * Checks that every body of the scene that moves together with others can move. Any thread.
+   *
+   * @param groups the groups of the bodies of the scene
+   * @throws IllegalArgumentException if such a body stands still
+   */
+  public void requireMovable(BodyGroups groups) {
+    for (int n = 0; n < scene.bodies().count(); n++) {
+      if (groups.size(n) > 1) {
+        requireMovable(n);
+      }
+    }
+  }
+
+  /** {@return what this solver moves: its sample points and its metric} */
   public RigidTool shape() {
     return tool;
   }
@@ -147,6 +174,8 @@ public final class RigidSolver {
   /**
    * Takes a body in hand where it is, bit for bit, even if an edit has just put a solid there. The
    * tool leaves the scene until its own solver places it again.
+   *
+   * @param motion receives the pose of the body; it was made by {@link #newMotion}
    */
   public void takeOver(ToolMotion motion) {
     scene.takeEdits(); // or the next frame would take them as edits at a tool, and set it free
@@ -160,6 +189,7 @@ public final class RigidSolver {
    * Lets a body move along with the one in hand as if glued to it, until {@link #carryNone}. Each
    * of the two is verified against all others.
    *
+   * @param body the index of the body in the scene
    * @throws IllegalArgumentException if the body stands still
    */
   public void carry(int body) {
@@ -173,17 +203,20 @@ public final class RigidSolver {
     verifier.carryNone();
   }
 
-  /** Whether somebody set the pose of a body unverified, so that the tool must be placed again. */
+  /**
+   * {@return whether somebody set the pose of a body unverified, so that the tool must be placed
+   * again}
+   */
   public boolean wasBodyMoved() {
     return scene.wasBodyMoved();
   }
 
-  /** Returns what moves the bodies of the scene towards their goals. */
+  /** {@return what moves the bodies of the scene towards their goals} */
   public BodyMover bodies() {
     return bodies;
   }
 
-  /** Returns a motion of the tool for this solver. */
+  /** {@return a motion of the tool for this solver} */
   public ToolMotion newMotion() {
     return new ToolMotion(scene.bodies().count());
   }
@@ -192,6 +225,7 @@ public final class RigidSolver {
    * Places the tool at a pose, or at a free pose near it with the same orientation.
    *
    * @param pose finite, with a quaternion that can be normalized
+   * @param motion receives the pose at which the tool was placed
    * @return whether the pose itself was free
    * @throws IllegalArgumentException if the pose is not finite or has no rotation
    */
@@ -224,13 +258,13 @@ public final class RigidSolver {
     beginApproach();
   }
 
-  /** Returns a finder of the voxels that block the tool. It shares the haptic thread. */
+  /** {@return a finder of the voxels that block the tool} It shares the haptic thread. */
   public BlockingVoxels newBlockingVoxels() {
     return new BlockingVoxels(scene.bodies(), tool, verifier);
   }
 
   /**
-   * Returns the last valid device pose; the identity before the first. Do not write to it. Of the
+   * {@return the last valid device pose; the identity before the first} Do not write to it. Of the
    * two quaternions of norm 1 that state its orientation, it has the one nearer to the tool's.
    */
   public Pose target() {
@@ -238,14 +272,18 @@ public final class RigidSolver {
   }
 
   /**
-   * Returns the work of following the device in the last frame: the number of points that were
-   * tested, and other work in its equivalent. Motions of other bodies do not count.
+   * {@return the work of following the device in the last frame: the number of points that were
+   * tested, and other work in its equivalent} Motions of other bodies do not count.
    */
   public long work() {
     return work;
   }
 
-  /** Adds the work that frames skipped without changing their answers. */
+  /**
+   * Adds the work that frames skipped without changing their answers.
+   *
+   * @param dest receives the counts
+   */
   public void addSkips(SkipCounters dest) {
     verifier.addSkips(dest);
     dest.add(SkipKind.REST, rests);
@@ -282,6 +320,7 @@ public final class RigidSolver {
   /**
    * Runs one frame without a new device pose: bodies move, and may push the tool.
    *
+   * @param motion the motion of the last frame; receives that of this one
    * @throws IllegalStateException as {@link #follow} does
    */
   public void rest(ToolMotion motion) {
