@@ -48,27 +48,27 @@ public final class ContactStatistics {
     return isTouching;
   }
 
-  /** Returns how often the object was touched anew. */
+  /** {@return how often the object was touched anew} */
   public long contacts() {
     return contacts;
   }
 
-  /** Returns how long the object was touched, s. */
+  /** {@return how long the object was touched, s} */
   public double seconds() {
     return seconds;
   }
 
-  /** Returns the mean force while the object was touched, N; 0 if it never was. */
+  /** {@return the mean force while the object was touched, N; 0 if it never was} */
   public double meanNewton() {
     return seconds > 0 ? impulseNewtonSeconds / seconds : 0;
   }
 
-  /** Returns the largest force on the object, N. */
+  /** {@return the largest force on the object, N} */
   public double largestNewton() {
     return largestNewton;
   }
 
-  /** Returns when the largest force acted, s. */
+  /** {@return when the largest force acted, s} */
   public double largestAtSeconds() {
     return largestAtSeconds;
   }

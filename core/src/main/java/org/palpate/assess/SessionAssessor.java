@@ -141,57 +141,65 @@ public final class SessionAssessor implements FrameObserver {
     holds.end();
   }
 
-  /** Returns the number of frames that followed a new sample. */
+  /** {@return the number of frames that followed a new sample} */
   public long frames() {
     return frames;
   }
 
-  /** Returns how often the tool was set free. */
+  /** {@return how often the tool was set free} */
   public long freed() {
     return freed;
   }
 
-  /** Returns the time from the first frame to the last, s. */
+  /** {@return the time from the first frame to the last, s} */
   public double seconds() {
     return seconds;
   }
 
-  /** Returns the path of the device after {@link #finish}, mm. */
+  /** {@return the path of the device after {@link #finish}, mm} */
   public double handPathMm() {
     return hand.lengthMm();
   }
 
-  /** Returns the path of the tool after {@link #finish}, or of what the hand held, mm. */
+  /** {@return the path of the tool after {@link #finish}, or of what the hand held, mm} */
   public double toolPathMm() {
     return tool.lengthMm();
   }
 
-  /** Returns all contacts together. */
+  /** {@return all contacts together} */
   public ContactStatistics contacts() {
     return whole;
   }
 
-  /** Returns the contacts with an object. */
+  /**
+   * {@return the contacts with an object}
+   *
+   * @param object the index of the object in the scene
+   */
   public ContactStatistics contacts(int object) {
     return objects[object];
   }
 
-  /** Returns the force that the hand exceeded in a part of the time in contact, N; 0 without. */
+  /**
+   * {@return the force that the hand exceeded in a part of the time in contact, N; 0 without}
+   *
+   * @param part the part of the time in contact, from 0 to 1
+   */
   public double exceededNewton(double part) {
     return milliNewton.getValueAtPercentile(100 * (1 - part)) / MILLI;
   }
 
-  /** Returns the spectrum of the hand's motion. */
+  /** {@return the spectrum of the hand's motion} */
   public TremorSpectrum tremor() {
     return tremor;
   }
 
-  /** Returns the course of force and position. */
+  /** {@return the course of force and position} */
   public SessionCourse course() {
     return course;
   }
 
-  /** Returns which bodies the hand held after {@link #finish}, in their order. */
+  /** {@return which bodies the hand held after {@link #finish}, in their order} */
   public List<Hold> holds() {
     return holds.holds();
   }

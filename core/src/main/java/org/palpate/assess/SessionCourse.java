@@ -72,42 +72,72 @@ public final class SessionCourse {
     merged *= 2;
   }
 
-  /** Returns the number of rows. */
+  /** {@return the number of rows} */
   public int rows() {
     return rows;
   }
 
-  /** Whether a row has a frame. */
+  /**
+   * {@return whether a row has a frame}
+   *
+   * @param row the number of the row, from 0
+   */
   public boolean hasFrames(int row) {
     return frames[row] > 0;
   }
 
-  /** Returns the middle of a row, s. */
+  /**
+   * {@return the middle of a row, s}
+   *
+   * @param row the number of the row, from 0
+   */
   public double seconds(int row) {
     return (row + 0.5) * merged * FIRST_SECONDS_A_ROW;
   }
 
-  /** Returns the largest force of contact in a row, N. */
+  /**
+   * {@return the largest force of contact in a row, N}
+   *
+   * @param row the number of a row with frames
+   */
   public double largestNewton(int row) {
     return largest[row];
   }
 
-  /** Returns the mean force of contact in a row, N; frames without contact count. */
+  /**
+   * {@return the mean force of contact in a row, N; frames without contact count}
+   *
+   * @param row the number of a row with frames
+   */
   public double meanNewton(int row) {
     return sum[row] / frames[row];
   }
 
-  /** Returns the part of the frames of a row that were in contact. */
+  /**
+   * {@return the part of the frames of a row that were in contact}
+   *
+   * @param row the number of a row with frames
+   */
   public double contact(int row) {
     return (double) touching[row] / frames[row];
   }
 
-  /** Returns the part of the frames of a row that touched a protected segment. */
+  /**
+   * {@return the part of the frames of a row that touched a protected segment}
+   *
+   * @param row the number of a row with frames
+   */
   public double forbidden(int row) {
     return (double) forbidden[row] / frames[row];
   }
 
-  /** Writes where the tool was in the last frame of a row, mm, in the frame of the records. */
+  /**
+   * Writes where the tool was in the last frame of a row.
+   *
+   * @param row the number of a row with frames
+   * @param dest receives the position, mm, in the frame of the records
+   * @return {@code dest}
+   */
   public Vec3 positionMm(int row, Vec3 dest) {
     return dest.set(position[0][row], position[1][row], position[2][row]);
   }

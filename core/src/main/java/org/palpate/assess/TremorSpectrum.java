@@ -103,19 +103,25 @@ public final class TremorSpectrum {
     return real * real + imaginary * imaginary;
   }
 
-  /** Returns the number of lines; 0 if the session was too short. Lines count from 1. */
+  /** {@return the number of lines; 0 if the session was too short} Lines count from 1. */
   public int lines() {
     return windows == 0 ? 0 : LINES;
   }
 
-  /** Returns the frequency of a line, Hz. */
+  /**
+   * {@return the frequency of a line, Hz}
+   *
+   * @param line the number of the line, from 1
+   */
   public double hertz(int line) {
     return line * HERTZ_A_LINE;
   }
 
   /**
-   * Returns the power spectral density at a line, mm^2/Hz, summed over the axes. It makes up for
+   * {@return the power spectral density at a line, mm^2/Hz, summed over the axes} It makes up for
    * what the means over intervals take from fast motions.
+   *
+   * @param line the number of the line, from 1
    */
   public double density(int line) {
     double power = 0;
@@ -127,7 +133,7 @@ public final class TremorSpectrum {
     return 2 * SteadyPath.INTERVAL_SECONDS * sums[line] / (windows * power * kept * kept);
   }
 
-  /** Returns the root mean square of the motion in the band of tremor, mm; empty if unknown. */
+  /** {@return the root mean square of the motion in the band of tremor, mm; empty if unknown} */
   public OptionalDouble rmsMm() {
     double square = 0;
     for (int line = 1; line <= lines(); line++) {
@@ -136,7 +142,7 @@ public final class TremorSpectrum {
     return windows == 0 ? OptionalDouble.empty() : OptionalDouble.of(Math.sqrt(square));
   }
 
-  /** Returns the frequency of the highest peak in the band of tremor, Hz; empty without one. */
+  /** {@return the frequency of the highest peak in the band of tremor, Hz; empty without one} */
   public OptionalDouble peakHertz() {
     int best = 0;
     for (int line = 2; line < lines(); line++) {

@@ -22,6 +22,7 @@ public record FractureReadings(
    *
    * @param one the index of the fragment whose faces are measured
    * @param other the index of the fragment that it faces
+   * @param readings gap, step-off and contact of the two
    */
   public record Pair(int one, int other, PairReadings readings) {}
 
@@ -30,7 +31,11 @@ public record FractureReadings(
     pairs = List.copyOf(pairs);
   }
 
-  /** Returns the readings of fragments at their poses. */
+  /**
+   * {@return the readings of fragments at their poses}
+   *
+   * @param fragments every fragment of the bone, at least one
+   */
   public static FractureReadings read(List<PosedBits> fragments) {
     PosedBits reference = fragments.get(0);
     for (PosedBits fragment : fragments) {

@@ -23,7 +23,7 @@ public record PairReadings(
   /** The largest gap that counts as contact, shortest voxel edges. */
   private static final double CONTACT_EDGES = 0.6;
 
-  /** Whether the fragments face each other at all. */
+  /** {@return whether the fragments face each other at all} */
   public boolean isFacing() {
     return facingMm2 > 0;
   }
@@ -31,6 +31,8 @@ public record PairReadings(
   /**
    * Reads two fragments. Some hundred milliseconds for fragments of 10,000 voxels.
    *
+   * @param one a fragment where it stands
+   * @param other another fragment where it stands
    * @return readings whose gaps are NaN and whose areas are 0 if the fragments do not face each
    *     other within about 4 mm
    */

@@ -16,8 +16,9 @@ import org.palpate.volume.fracture.PosedBits;
 public record Residual(double distanceMm, double angleDegrees) {
 
   /**
-   * Returns the motion that leads from rest, the truth of a synthetic fracture, to the poses.
+   * {@return the motion that leads from rest, the truth of a synthetic fracture, to the poses}
    *
+   * @param fragment the fragment where it stands
    * @param reference the pose of the reference fragment
    */
   public static Residual fromRest(PosedBits fragment, Pose reference) {
@@ -31,7 +32,12 @@ public record Residual(double distanceMm, double angleDegrees) {
         present.sub(centroid, present).length(), Math.toDegrees(relative.rotation.angle()));
   }
 
-  /** Returns the motion that led from an earlier pose of a fragment to its present one. */
+  /**
+   * {@return the motion that led from an earlier pose of a fragment to its present one}
+   *
+   * @param earlier its earlier pose, from rest, world mm
+   * @param fragment the fragment where it stands
+   */
   public static Residual since(Pose earlier, PosedBits fragment) {
     Vec3 centroid = centroid(fragment);
     Vec3 before = earlier.transform(centroid, new Vec3());
@@ -41,7 +47,11 @@ public record Residual(double distanceMm, double angleDegrees) {
     return new Residual(now.sub(before, now).length(), Math.toDegrees(turn.angle()));
   }
 
-  /** Returns the mean of the voxel centres at rest, world mm. */
+  /**
+   * {@return the mean of the voxel centres at rest, world mm}
+   *
+   * @param fragment a fragment with a solid voxel
+   */
   public static Vec3 centroid(PosedBits fragment) {
     BitCube bits = fragment.bits();
     IntBox box = bits.bounds();

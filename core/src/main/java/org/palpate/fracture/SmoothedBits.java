@@ -68,6 +68,7 @@ public final class SmoothedBits {
   /**
    * Prepares the occupancy of a fragment where it stands; the pose must not change.
    *
+   * @param fragment the fragment; its voxels may change, see above
    * @param sigma the standard deviation of the Gaussian, voxels, at most 1.5
    */
   public SmoothedBits(PosedBits fragment, double sigma) {
@@ -83,13 +84,22 @@ public final class SmoothedBits {
     stepMm = WALK_EDGES * Math.max(s.x, Math.max(s.y, s.z));
   }
 
-  /** Whether a world position lies in a voxel. */
+  /**
+   * {@return whether a world position lies in a voxel}
+   *
+   * @param world the position, world mm
+   */
   public boolean isSolid(Vec3 world) {
     worldToGrid.transform(world, grid);
     return bits.get((int) Math.floor(grid.x), (int) Math.floor(grid.y), (int) Math.floor(grid.z));
   }
 
-  /** Whether a world position lies in the box of the voxels or at most so far outside it. */
+  /**
+   * {@return whether a world position lies in the box of the voxels or near it}
+   *
+   * @param world the position, world mm
+   * @param mm the largest distance from the box along an axis of the grid, mm
+   */
   public boolean isNear(Vec3 world, double mm) {
     worldToGrid.transform(world, grid);
     Vec3 s = fragment.grid().spacingMm();
@@ -103,8 +113,9 @@ public final class SmoothedBits {
   }
 
   /**
-   * Returns the smoothed occupancy at a world position, 0 to 1.
+   * {@return the smoothed occupancy at a world position, 0 to 1}
    *
+   * @param world the position, world mm
    * @param outward receives the direction of steepest descent, a unit vector in the world
    */
   public double occupancy(Vec3 world, Vec3 outward) {
@@ -115,8 +126,9 @@ public final class SmoothedBits {
   }
 
   /**
-   * Returns the smoothed occupancy at a world position, 0 to 1.
+   * {@return the smoothed occupancy at a world position, 0 to 1}
    *
+   * @param world the position, world mm
    * @param descent receives the negative gradient, world axes, 1/mm
    */
   public double descent(Vec3 world, Vec3 descent) {
@@ -196,6 +208,7 @@ public final class SmoothedBits {
    * Finds the surface on a line: of the places where the line enters the fragment against a
    * direction, the one nearest to the start.
    *
+   * @param start a position on the line, world mm
    * @param outward the direction, a unit vector in the world
    * @param mostMm the largest distance from the start, on either side
    * @param dest receives the place

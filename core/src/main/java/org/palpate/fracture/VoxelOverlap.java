@@ -31,7 +31,12 @@ public final class VoxelOverlap {
   private final double[] reachesMm = new double[15];
   private final double longestMm;
 
-  /** Prepares to count; poses and bits must not change meanwhile. */
+  /**
+   * Prepares to count; poses and bits must not change meanwhile.
+   *
+   * @param one the fragment whose voxels are visited
+   * @param other the fragment whose voxels near them are looked up
+   */
   public VoxelOverlap(PosedBits one, PosedBits other) {
     this.one = one;
     otherBits = other.bits();
@@ -71,7 +76,7 @@ public final class VoxelOverlap {
     }
   }
 
-  /** Returns the number of pairs. */
+  /** {@return the number of pairs} */
   public long count() {
     long pairs = 0;
     IntBox box = one.bits().bounds();

@@ -42,6 +42,9 @@ public final class BlockingVoxels {
      * Takes a voxel.
      *
      * @param body index of its body
+     * @param i the voxel's number along x
+     * @param j its number along y
+     * @param k its number along z
      * @return whether further voxels are wanted
      */
     boolean take(int body, int i, int j, int k);
@@ -92,6 +95,7 @@ public final class BlockingVoxels {
    * a voxel that it takes.
    *
    * @param device the device pose, finite, with a quaternion of norm 1
+   * @param sink receives the voxels until it wants no more
    */
   public void find(Pose device, Sink sink) {
     count = 0;
@@ -109,10 +113,13 @@ public final class BlockingVoxels {
   }
 
   /**
-   * Whether the tool at its present pose would touch a voxel, enclose it, or come nearer to it than
-   * its clearance, if the voxel were solid.
+   * {@return whether the tool at its present pose would touch a voxel, enclose it, or come nearer
+   * to it than its clearance, if the voxel were solid}
    *
    * @param index the body of the voxel
+   * @param i the voxel's number along x
+   * @param j its number along y
+   * @param k its number along z
    */
   public boolean meets(int index, int i, int j, int k) {
     BodyVerifier ofBody = verifier.pair(index);

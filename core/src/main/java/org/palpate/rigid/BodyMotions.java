@@ -28,27 +28,43 @@ public final class BodyMotions {
     }
   }
 
-  /** Returns the number of motions. */
+  /** {@return the number of motions} */
   public int count() {
     return count;
   }
 
-  /** Returns the index of the body that moved. */
+  /**
+   * {@return the index of the body that moved}
+   *
+   * @param motion the number of the motion, from 0 to {@link #count} - 1
+   */
   public int body(int motion) {
     return body[motion];
   }
 
-  /** Returns the step of the tool's path that happened at the same time, or {@link #NO_STEP}. */
+  /**
+   * {@return the step of the tool's path that happened at the same time, or {@link #NO_STEP}}
+   *
+   * @param motion the number of the motion, from 0 to {@link #count} - 1
+   */
   public int toolStep(int motion) {
     return toolStep[motion];
   }
 
-  /** Returns the body's pose before the motion, rest to present; not to be written. */
+  /**
+   * {@return the body's pose before the motion, rest to present; not to be written}
+   *
+   * @param motion the number of the motion, from 0 to {@link #count} - 1
+   */
   public Pose from(int motion) {
     return from[motion];
   }
 
-  /** Returns the body's pose after the motion, rest to present; not to be written. */
+  /**
+   * {@return the body's pose after the motion, rest to present; not to be written}
+   *
+   * @param motion the number of the motion, from 0 to {@link #count} - 1
+   */
   public Pose to(int motion) {
     return to[motion];
   }

@@ -86,6 +86,7 @@ public final class BodyMover {
   /**
    * Sets the goal of a body, which the next frames approach.
    *
+   * @param body the index of the body in the scene
    * @param goal from rest to present, world mm
    * @throws IllegalArgumentException if the body cannot move, or the pose is not finite or has no
    *     unit quaternion
@@ -101,6 +102,8 @@ public final class BodyMover {
   /**
    * Checks that {@link #setGoal} would take a goal. Any thread.
    *
+   * @param body the index of the body in the scene
+   * @param goal from rest to present, world mm
    * @throws IllegalArgumentException as {@link #setGoal}
    */
   public void requireGoal(int body, Pose goal) {
@@ -111,7 +114,11 @@ public final class BodyMover {
     }
   }
 
-  /** Lets a body stay where it is. */
+  /**
+   * Lets a body stay where it is.
+   *
+   * @param body the index of the body in the scene
+   */
   public void clearGoal(int body) {
     hasGoal[body] = false;
   }
@@ -121,12 +128,12 @@ public final class BodyMover {
     Arrays.fill(hasGoal, false);
   }
 
-  /** Returns the number of steps in which a body pushed the tool. */
+  /** {@return the number of steps in which a body pushed the tool} */
   public long pushes() {
     return pushes;
   }
 
-  /** Returns the number of frames in which a body was held back, counted for each body. */
+  /** {@return the number of frames in which a body was held back, counted for each body} */
   public long heldBack() {
     return heldBack;
   }

@@ -39,7 +39,7 @@ public record Clearance(double growthMm, double longestCellMm, int levels) {
   }
 
   /**
-   * Returns the clearance at which each sample point keeps a margin from a body.
+   * {@return the clearance at which each sample point keeps a margin from a body}
    *
    * @param grid the grid of the body
    * @param marginMm the least distance of a point from a solid voxel, mm, positive
@@ -50,10 +50,11 @@ public record Clearance(double growthMm, double longestCellMm, int levels) {
   }
 
   /**
-   * Returns the clearance of mode {@code body}, at which the solid of a tool and a body cannot
+   * {@return the clearance of mode {@code body}, at which the solid of a tool and a body cannot
    * overlap: the cover radius of the sample points, the deviation of arcs from chords, and
-   * rounding.
+   * rounding}
    *
+   * @param tool a tool whose sample points cover its surface
    * @param grid the grid of the body
    * @param marginMm the least gap between the solids, mm, at least 0
    * @throws IllegalArgumentException if the points do not cover the tool or the margin is negative

@@ -27,6 +27,7 @@ public final class CouplingRateLimit {
   /**
    * Creates a limit for a tool.
    *
+   * @param tool its rms radius weighs rotations
    * @param leastMm the change that is always allowed in a frame of a millisecond, mm
    */
   public CouplingRateLimit(RigidTool tool, double leastMm) {
@@ -42,6 +43,8 @@ public final class CouplingRateLimit {
   /**
    * Writes the displacement and rotation from the device to the tool that the hand is to feel.
    *
+   * @param tool the tool pose, world mm
+   * @param device the device pose, world mm
    * @param framePart the part of the least change that the frame gets, in (0, 1], or infinity for
    *     no bound
    * @param displacementMm written, world mm
@@ -80,7 +83,12 @@ public final class CouplingRateLimit {
     return changeMm - mostMm;
   }
 
-  /** Returns the length of a displacement, mm, with a rotation vector that counts as above. */
+  /**
+   * {@return the length of a displacement and a rotation together, mm}
+   *
+   * @param displacementMm the displacement, mm
+   * @param rotationVector the rotation, rad; it counts as its angle times the rms radius
+   */
   public double lengthMm(Vec3 displacementMm, Vec3 rotationVector) {
     return Math.sqrt(
         displacementMm.dot(displacementMm) + squaredRadiusMm2 * rotationVector.dot(rotationVector));

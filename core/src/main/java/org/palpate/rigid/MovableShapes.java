@@ -26,21 +26,30 @@ public record MovableShapes(List<RigidTool> shapes, OptionalDouble marginMm) {
     shapes = Collections.unmodifiableList(new ArrayList<>(shapes));
   }
 
-  /** Returns the shapes of a scene in which no body moves. */
+  /**
+   * {@return the shapes of a scene in which no body moves}
+   *
+   * @param scene the bodies
+   */
   public static MovableShapes none(BodyScene scene) {
     return new MovableShapes(
         Collections.nCopies(scene.count(), (RigidTool) null), OptionalDouble.empty());
   }
 
-  /** Returns the shapes of all movable bodies, whose sample points keep out of voxels. */
+  /**
+   * {@return the shapes of all movable bodies, whose sample points keep out of voxels}
+   *
+   * @param scene the bodies; each that can move gets sample points
+   */
   public static MovableShapes ofPoints(BodyScene scene) {
     return new MovableShapes(shapes(scene, 0), OptionalDouble.empty());
   }
 
   /**
-   * Returns the shapes of all movable bodies. Whole solids keep out of each other, up to the
+   * {@return the shapes of all movable bodies} Whole solids keep out of each other, up to the
    * margin.
    *
+   * @param scene the bodies; each that can move gets sample points
    * @param marginMm the least gap between two bodies, mm; negative if they may overlap by that
    *     depth
    * @throws org.palpate.rigid.tool.ErodedAwayException if a body has no part as deep as a negative
@@ -88,8 +97,9 @@ public record MovableShapes(List<RigidTool> shapes, OptionalDouble marginMm) {
   }
 
   /**
-   * Returns the memory that the shape of a movable body takes while it is made, bytes.
+   * {@return the memory that the shape of a movable body takes while it is made, bytes}
    *
+   * @param body a body that can move
    * @param marginMm as for {@link #ofWholeBodies}
    */
   public static double bytesFor(Body body, double marginMm) {

@@ -35,7 +35,12 @@ public final class ReferencePose {
     this.referenceMm = referenceMm;
   }
 
-  /** Moves the translation of a pose to the nearest one that a movable body can have. */
+  /**
+   * Moves the translation of a pose to the nearest one that a movable body can have.
+   *
+   * @param pose changed in place
+   * @return {@code pose}
+   */
   public static Pose snap(Pose pose) {
     snap(pose.translation);
     return pose;
@@ -50,7 +55,13 @@ public final class ReferencePose {
     return Math.rint(near * PER_MM) * LATTICE_MM + 0.0; // no negative zero
   }
 
-  /** Writes the pose of the reference point from a snapped pose from rest to present. */
+  /**
+   * Writes the pose of the reference point from a snapped pose from rest to present.
+   *
+   * @param restToPresent the pose of the body, snapped, world mm
+   * @param dest receives the pose of the reference point, world mm
+   * @return {@code dest}
+   */
   public Pose toReference(Pose restToPresent, Pose dest) {
     rotateOffset(restToPresent);
     dest.rotation.set(restToPresent.rotation);
@@ -58,7 +69,13 @@ public final class ReferencePose {
     return dest;
   }
 
-  /** Writes the pose from rest to present from a snapped pose of the reference point. */
+  /**
+   * Writes the pose from rest to present from a snapped pose of the reference point.
+   *
+   * @param reference the pose of the reference point, snapped, world mm
+   * @param dest receives the pose from rest to present, world mm
+   * @return {@code dest}
+   */
   public Pose toRest(Pose reference, Pose dest) {
     rotateOffset(reference);
     dest.rotation.set(reference.rotation);
@@ -66,13 +83,27 @@ public final class ReferencePose {
     return dest;
   }
 
-  /** Writes the pose of a second reference point in the frame of a first. */
+  /**
+   * Writes the pose of a second reference point in the frame of a first.
+   *
+   * @param first the pose of the first reference point, world mm
+   * @param second the pose of the second, world mm
+   * @param dest receives the relative pose; neither of them
+   * @return {@code dest}
+   */
   public static Pose relative(Pose first, Pose second, Pose dest) {
     first.inverseMultiply(second, dest).rotation.normalize();
     return dest;
   }
 
-  /** Writes the snapped pose of a reference point that is glued to a first one. */
+  /**
+   * Writes the snapped pose of a reference point that is glued to a first one.
+   *
+   * @param first the pose of the first reference point, world mm
+   * @param relative the pose of the second in the frame of the first
+   * @param dest receives the pose of the second, world mm
+   * @return {@code dest}
+   */
   public static Pose glued(Pose first, Pose relative, Pose dest) {
     first.multiply(relative, dest).rotation.normalize();
     return snap(dest);

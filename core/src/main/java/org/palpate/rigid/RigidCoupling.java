@@ -38,20 +38,23 @@ public final class RigidCoupling {
   }
 
   /**
-   * Returns the coupling of a tool with the stiffness times its squared rms radius as rotational
-   * stiffness. Then a rotation costs as much energy as the displacement of the tool's matter.
+   * {@return the coupling of a tool with the stiffness times its squared rms radius as rotational
+   * stiffness} Then a rotation costs as much energy as the displacement of the tool's matter.
+   *
+   * @param tool its rms radius is the lever of rotations
+   * @param stiffnessNewtonPerMm the stiffness of the displacement, N/mm
    */
   public static RigidCoupling of(RigidTool tool, double stiffnessNewtonPerMm) {
     double radiusMm = tool.rmsRadiusMm();
     return new RigidCoupling(stiffnessNewtonPerMm, stiffnessNewtonPerMm * radiusMm * radiusMm);
   }
 
-  /** Returns the stiffness of the displacement, N/mm. */
+  /** {@return the stiffness of the displacement, N/mm} */
   public double stiffnessNewtonPerMm() {
     return stiffnessNewtonPerMm;
   }
 
-  /** Returns the stiffness of the rotation, N mm/rad. */
+  /** {@return the stiffness of the rotation, N mm/rad} */
   public double rotationalStiffness() {
     return rotationalStiffness;
   }
@@ -70,8 +73,10 @@ public final class RigidCoupling {
   }
 
   /**
-   * Turns a displacement, mm, and a rotation vector, rad, from the device to the tool into force,
-   * N, and torque, N mm; see {@link CouplingRateLimit}.
+   * Turns the stretch of the coupling into force and torque; see {@link CouplingRateLimit}.
+   *
+   * @param forceNewton the displacement from the device to the tool, mm; replaced by the force, N
+   * @param torqueNewtonMm the rotation vector, rad; replaced by the torque, N mm
    */
   public void scale(Vec3 forceNewton, Vec3 torqueNewtonMm) {
     forceNewton.mul(stiffnessNewtonPerMm, forceNewton);

@@ -54,6 +54,8 @@ public final class RigidScene {
   /**
    * Creates a scene. The tool is not placed yet.
    *
+   * @param bodies the bodies at their present poses
+   * @param tool the sample points of the tool
    * @param shapes the sample points of the bodies that move
    * @param settings the clearances of the tool, grey values, and whether to skip
    * @throws BodiesOverlapException if two bodies of which one can move overlap
@@ -141,7 +143,7 @@ public final class RigidScene {
     }
   }
 
-  /** Returns the bodies. */
+  /** {@return the bodies} */
   public BodyScene bodies() {
     return bodies;
   }

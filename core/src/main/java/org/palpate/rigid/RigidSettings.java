@@ -38,7 +38,14 @@ public record RigidSettings(
     greys = Collections.unmodifiableList(new ArrayList<>(greys));
   }
 
-  /** Creates settings with which the CPU judges legs. */
+  /**
+   * Creates settings with which the CPU judges legs.
+   *
+   * @param maxStepMm the most that a point may travel in one frame, w_max, positive
+   * @param clearances a clearance for each body, or a single one for all
+   * @param greys the grey values of each body's voxels, or none at all; entries may be null
+   * @param skips whether verification skips space that is proved to be empty
+   */
   public RigidSettings(
       double maxStepMm,
       List<Clearance> clearances,
@@ -47,12 +54,23 @@ public record RigidSettings(
     this(maxStepMm, clearances, greys, skips, CollisionDevice.CPU);
   }
 
-  /** Returns settings with one clearance for all bodies, whose surfaces come from their bits. */
+  /**
+   * {@return settings with one clearance for all bodies, whose surfaces come from their bits}
+   *
+   * @param maxStepMm the most that a point may travel in one frame, w_max, positive
+   * @param clearance the distance that points keep from every body
+   */
   public static RigidSettings of(double maxStepMm, Clearance clearance) {
     return new RigidSettings(maxStepMm, List.of(clearance), List.of(), true);
   }
 
-  /** Returns settings with the least clearance at which no solids can overlap. */
+  /**
+   * {@return settings with the least clearance at which no solids can overlap}
+   *
+   * @param maxStepMm the most that a point may travel in one frame, w_max, positive
+   * @param scene the bodies
+   * @param tool a tool whose sample points cover its surface
+   */
   public static RigidSettings ofWholeBodies(double maxStepMm, BodyScene scene, RigidTool tool) {
     List<Clearance> clearances = new ArrayList<>();
     for (int n = 0; n < scene.count(); n++) {

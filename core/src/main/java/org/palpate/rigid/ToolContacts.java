@@ -21,35 +21,57 @@ public final class ToolContacts {
   final double[] normalZ = new double[MOST];
   int count;
 
-  /** Returns the number of contacts. */
+  /** {@return the number of contacts} */
   public int count() {
     return count;
   }
 
-  /** Returns the index of the touched body in its scene. */
+  /**
+   * {@return the index of the touched body in its scene}
+   *
+   * @param contact the number of the contact, from 0 to {@link #count} - 1
+   */
   public int body(int contact) {
     return body[contact];
   }
 
-  /** Writes where the tool is touched, tool frame, mm. */
+  /**
+   * Writes where the tool is touched.
+   *
+   * @param contact the number of the contact, from 0 to {@link #count} - 1
+   * @param dest receives the position, tool frame, mm
+   * @return {@code dest}
+   */
   public Vec3 position(int contact, Vec3 dest) {
     return dest.set(x[contact], y[contact], z[contact]);
   }
 
-  /** Returns the part of the pressing force that the contact carries; all parts add up to 1. */
+  /**
+   * {@return the part of the pressing force that the contact carries; all parts add up to 1}
+   *
+   * @param contact the number of the contact, from 0 to {@link #count} - 1
+   */
   public double share(int contact) {
     return share[contact];
   }
 
   /**
-   * Returns the height of the touched point over the surface of the body, mm: hardly more than 0 in
-   * mode {@code points}, and at least the clearance that the point keeps in mode {@code body}.
+   * {@return the height of the touched point over the surface of the body, mm: hardly more than 0
+   * in mode {@code points}, and at least the clearance that the point keeps in mode {@code body}}
+   *
+   * @param contact the number of the contact, from 0 to {@link #count} - 1
    */
   public double heightMm(int contact) {
     return heightMm[contact];
   }
 
-  /** Writes the normal of the surface, unit, world axes, out of the body. */
+  /**
+   * Writes the normal of the surface, out of the body.
+   *
+   * @param contact the number of the contact, from 0 to {@link #count} - 1
+   * @param dest receives the normal, unit, world axes
+   * @return {@code dest}
+   */
   public Vec3 normal(int contact, Vec3 dest) {
     return dest.set(normalX[contact], normalY[contact], normalZ[contact]);
   }

@@ -31,7 +31,11 @@ public final class ToolMotion {
     this(0);
   }
 
-  /** Creates the motion of a tool that stands at the identity, among a number of bodies. */
+  /**
+   * Creates the motion of a tool that stands at the identity.
+   *
+   * @param bodyCount the number of bodies in the scene
+   */
   public ToolMotion(int bodyCount) {
     bodies = new BodyMotions(bodyCount);
     for (int n = 0; n < path.length; n++) {
@@ -39,67 +43,78 @@ public final class ToolMotion {
     }
   }
 
-  /** Returns the tool pose, tool frame to world, mm; not to be written. */
+  /** {@return the tool pose, tool frame to world, mm; not to be written} */
   public Pose pose() {
     return path[steps];
   }
 
-  /** Returns the number of steps of the last frame; 0 if the tool rested. */
+  /** {@return the number of steps of the last frame; 0 if the tool rested} */
   public int steps() {
     return steps;
   }
 
   /**
-   * Returns the number of steps that bodies pushed the tool. They come first; the others follow the
-   * device.
+   * {@return the number of steps that bodies pushed the tool} They come first; the others follow
+   * the device.
    */
   public int pushes() {
     return pushes;
   }
 
-  /** Returns the motions of bodies in the last frame, which came before the tool followed. */
+  /** {@return the motions of bodies in the last frame, which came before the tool followed} */
   public BodyMotions bodies() {
     return bodies;
   }
 
-  /** Returns the pose before step {@code index}, or after the last step; not to be written. */
+  /**
+   * {@return a pose of the path; not to be written}
+   *
+   * @param index the number of the step before which it is, or the number of steps for the last
+   *     pose
+   */
   public Pose pathPose(int index) {
     return path[index];
   }
 
-  /** Returns an upper bound of the longest path of a point in the last frame, mm. */
+  /** {@return an upper bound of the longest path of a point in the last frame, mm} */
   public double pathMm() {
     return pathMm;
   }
 
-  /** Whether a solid kept the tool from its device pose at the end of the frame. */
+  /** {@return whether a solid kept the tool from its device pose at the end of the frame} */
   public boolean contact() {
     return contact;
   }
 
-  /** Returns the contacts that hold the tool back; none without {@link #contact}. */
+  /** {@return the contacts that hold the tool back; none without {@link #contact}} */
   public ToolContacts contacts() {
     return contacts;
   }
 
-  /** Writes where a contact touches the tool, world mm. */
+  /**
+   * Writes where a contact touches the tool.
+   *
+   * @param contact the number of the contact, from 0
+   * @param dest receives the position, world mm
+   * @return {@code dest}
+   */
   public Vec3 contactMm(int contact, Vec3 dest) {
     return pose().transform(contacts.position(contact, dest), dest);
   }
 
-  /** Whether the tool was set free in the last frame; then the path has a single pose. */
+  /** {@return whether the tool was set free in the last frame; then the path has a single pose} */
   public boolean freed() {
     return freed;
   }
 
-  /** Returns how far below the isosurface the contacts run, mm. */
+  /** {@return how far below the isosurface the contacts run, mm} */
   public double depthMm() {
     return depthMm;
   }
 
   /**
-   * Returns the number of points that keep less than the full clearance of some body. As long as it
-   * is not 0, the whole-tool theorem does not hold.
+   * {@return the number of points that keep less than the full clearance of some body} As long as
+   * it is not 0, the whole-tool theorem does not hold.
    */
   public int reducedPoints() {
     return reducedPoints;

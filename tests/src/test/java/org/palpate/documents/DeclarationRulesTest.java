@@ -32,18 +32,7 @@ class DeclarationRulesTest {
 
   /** Packages whose comments do not state every parameter yet. */
   private static final Set<String> INCOMPLETE =
-      Set.of(
-          "org.palpate.assess",
-          "org.palpate.elastic.lattice",
-          "org.palpate.fracture",
-          "org.palpate.fracture.fit",
-          "org.palpate.frame",
-          "org.palpate.host",
-          "org.palpate.host.placing",
-          "org.palpate.proxy.smooth",
-          "org.palpate.proxy.smooth.field",
-          "org.palpate.rigid",
-          "org.palpate.rigid.tool");
+      Set.of("org.palpate.host", "org.palpate.host.placing");
 
   private static boolean isComplete(String name) {
     return !INCOMPLETE.contains(name.substring(0, name.lastIndexOf('.')));

@@ -98,12 +98,12 @@ public final class ActiveCells {
         2 * coarse.nodeIndex(2, node));
   }
 
-  /** Returns the layout. */
+  /** {@return the layout} */
   public LatticeLayout layout() {
     return layout;
   }
 
-  /** Returns the number of listed cells. */
+  /** {@return the number of listed cells} */
   public int count() {
     return cells.length;
   }
@@ -118,12 +118,20 @@ public final class ActiveCells {
     return indexOfCell[cell];
   }
 
-  /** Returns the node at corner 0 of a listed cell. */
+  /**
+   * {@return the node at corner 0 of a listed cell}
+   *
+   * @param index the place of the cell in the list
+   */
   public int firstNode(int index) {
     return firstNodes[index];
   }
 
-  /** Whether a node is fixed. */
+  /**
+   * {@return whether a node is fixed}
+   *
+   * @param node the number of the node in the layout
+   */
   public boolean isFixed(int node) {
     return fixed[node];
   }

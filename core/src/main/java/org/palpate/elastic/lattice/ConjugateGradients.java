@@ -61,6 +61,7 @@ public final class ConjugateGradients {
   /**
    * Adds to a displacement the part of a direction that leaves the least energy.
    *
+   * @param direction the direction, three numbers for each node, mm
    * @param residual the force that is not balanced; holds what remains, N
    * @param displacement changed in place, mm
    */
@@ -74,7 +75,7 @@ public final class ConjugateGradients {
     }
   }
 
-  /** Returns the length of the residual that the last solution left, N. */
+  /** {@return the length of the residual that the last solution left, N} */
   public double residualNewton() {
     return residualNorm;
   }

@@ -243,12 +243,16 @@ public final class ControlLattice {
     stiffness.changed();
   }
 
-  /** Returns the number of parts that {@link #holdFreeParts} holds. */
+  /** {@return the number of parts that {@link #holdFreeParts} holds} */
   public int freeParts() {
     return freeParts;
   }
 
-  /** Returns the stiffness of the matter in a listed cell; a new object. */
+  /**
+   * {@return the stiffness of the matter in a listed cell; a new object}
+   *
+   * @param listed the place of the cell in the list
+   */
   public CellStiffness stiffnessOf(int listed) {
     return new CellStiffness(
         solidModulus[listed],
@@ -258,7 +262,12 @@ public final class ControlLattice {
         stiffness.moment(2)[listed]);
   }
 
-  /** Sets the stiffness of the matter in a listed cell, instead of counting its voxels. */
+  /**
+   * Sets the stiffness of the matter in a listed cell, instead of counting its voxels.
+   *
+   * @param listed the place of the cell in the list
+   * @param matterOfCell the stiffness, as {@link #stiffnessOf} returned it
+   */
   public void refill(int listed, CellStiffness matterOfCell) {
     setSolid(listed, matterOfCell.solidModulus());
     restModulus[listed] = matterOfCell.restModulus();
@@ -267,7 +276,13 @@ public final class ControlLattice {
     stiffness.moment(2)[listed] = matterOfCell.momentZ();
   }
 
-  /** Returns the place in the list of the cell that holds a voxel, or a negative number. */
+  /**
+   * {@return the place in the list of the cell that holds a voxel, or a negative number}
+   *
+   * @param i the voxel's number along x; it may lie outside the grid
+   * @param j its number along y
+   * @param k its number along z
+   */
   public int listedCell(int i, int j, int k) {
     int x = layout.cellOfVoxel(0, i);
     int y = layout.cellOfVoxel(1, j);
@@ -276,12 +291,22 @@ public final class ControlLattice {
     return inside && z >= 0 && z < layout.cells(2) ? cells.indexOf(layout.cell(x, y, z)) : -1;
   }
 
-  /** Returns the modulus of a listed cell that is not crushed, with its air, N/mm^2. */
+  /**
+   * {@return the modulus of a listed cell that is not crushed, with its air, N/mm^2}
+   *
+   * @param listed the place of the cell in the list
+   */
   public float restModulus(int listed) {
     return restModulus[listed];
   }
 
-  /** Returns the sum of the moduli, without their air, of the cells around a node, N/mm^2. */
+  /**
+   * {@return the sum of the moduli, without their air, of the cells around a node, N/mm^2}
+   *
+   * @param x the index of the node along x
+   * @param y its index along y
+   * @param z its index along z
+   */
   public double solidModulusAround(int x, int y, int z) {
     double sum = 0;
     for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
@@ -295,7 +320,7 @@ public final class ControlLattice {
     return sum;
   }
 
-  /** Returns the number of voxels of the segments that deform but cannot be touched. */
+  /** {@return the number of voxels of the segments that deform but cannot be touched} */
   public long untouchableVoxels() {
     long count = 0;
     for (ElasticSegment segment : segments) {
@@ -304,30 +329,32 @@ public final class ControlLattice {
     return count;
   }
 
-  /** Returns the layout. */
+  /** {@return the layout} */
   public LatticeLayout layout() {
     return layout;
   }
 
-  /** Returns the cells that can deform. */
+  /** {@return the cells that can deform} */
   public ActiveCells cells() {
     return cells;
   }
 
-  /** Returns the stiffness. */
+  /** {@return the stiffness} */
   public StiffnessOperator stiffness() {
     return stiffness;
   }
 
   /**
-   * Turns the cells with a displacement, mm, so that the stiffness is that of the present shape.
+   * Turns the cells with a displacement, so that the stiffness is that of the present shape.
+   *
+   * @param displacement three numbers for each node, mm
    */
   public void rotate(float[] displacement) {
     stiffness.rotate(displacement);
     preconditioner.refresh(displacement);
   }
 
-  /** Returns a solver; {@link #rotate} must come before its first solution. */
+  /** {@return a solver; {@link #rotate} must come before its first solution} */
   public ConjugateGradients newSolver() {
     return new ConjugateGradients(stiffness, preconditioner);
   }

@@ -44,6 +44,7 @@ public record ElasticMaterial(double youngPascal, double poisson) {
   /**
    * Reads {@code young:PA} or {@code young:PA,poisson:NU}.
    *
+   * @param text the text of a user; PA is Young's modulus in Pa, and NU is Poisson's ratio
    * @param number reads a number, or returns NaN
    * @return the material; empty if the text has another form or a figure is out of range
    */
@@ -72,7 +73,7 @@ public record ElasticMaterial(double youngPascal, double poisson) {
         && ratio <= MOST_POISSON;
   }
 
-  /** Returns Young's modulus, N/mm^2. */
+  /** {@return Young's modulus, N/mm^2} */
   public double youngNewtonPerMm2() {
     return youngPascal / PASCAL_PER_MEGAPASCAL;
   }

@@ -10,7 +10,12 @@ import org.palpate.volume.BitCube;
  * @param touchable whether a tool can touch it; otherwise it fills the space behind what it can
  */
 public record ElasticSegment(BitCube bits, ElasticMaterial material, boolean touchable) {
-  /** Creates a segment that a tool can touch. */
+  /**
+   * Creates a segment that a tool can touch.
+   *
+   * @param bits the voxels of the segment; kept
+   * @param material how they deform
+   */
   public ElasticSegment(BitCube bits, ElasticMaterial material) {
     this(bits, material, true);
   }

@@ -106,7 +106,11 @@ public final class LatticeLayout {
     return (cells[0] | cells[1] | cells[2]) % 2 == 0;
   }
 
-  /** Returns the number of cells along an axis. */
+  /**
+   * {@return the number of cells along an axis}
+   *
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public int cells(int axis) {
     return cells[axis];
   }
@@ -116,22 +120,30 @@ public final class LatticeLayout {
     return cells[0] * cells[1] * cells[2];
   }
 
-  /** Returns the number of nodes. */
+  /** {@return the number of nodes} */
   public int nodeCount() {
     return nodesX * nodesY * (cells[2] + 1);
   }
 
-  /** Returns the edge of a cell along an axis, mm. */
+  /**
+   * {@return the edge of a cell along an axis, mm}
+   *
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public double edgeMm(int axis) {
     return edgeMm[axis];
   }
 
-  /** Returns the longest edge of a cell, mm. */
+  /** {@return the longest edge of a cell, mm} */
   public double longestEdgeMm() {
     return Math.max(edgeMm[0], Math.max(edgeMm[1], edgeMm[2]));
   }
 
-  /** Returns the number of voxels in a cell along an axis. */
+  /**
+   * {@return the number of voxels in a cell along an axis}
+   *
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public int voxelsPerCell(int axis) {
     return voxelsPerCell[axis];
   }
@@ -141,7 +153,11 @@ public final class LatticeLayout {
     return originVoxel[axis] + cell * voxelsPerCell[axis];
   }
 
-  /** Returns the grid coordinate at which the lattice begins along an axis. */
+  /**
+   * {@return the grid coordinate at which the lattice begins along an axis}
+   *
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
   public int originVoxel(int axis) {
     return originVoxel[axis];
   }
@@ -153,12 +169,23 @@ public final class LatticeLayout {
     return Math.floorDiv(voxel - originVoxel[axis], voxelsPerCell[axis]);
   }
 
-  /** Returns the number of a node. */
+  /**
+   * {@return the number of a node}
+   *
+   * @param x the index of the node along x, from 0
+   * @param y its index along y
+   * @param z its index along z
+   */
   public int node(int x, int y, int z) {
     return x + nodesX * (y + nodesY * z);
   }
 
-  /** Returns the index of a node along an axis. */
+  /**
+   * {@return the index of a node along an axis}
+   *
+   * @param axis 0 for x, 1 for y, 2 for z
+   * @param node the number of the node
+   */
   public int nodeIndex(int axis, int node) {
     return switch (axis) {
       case 0 -> node % nodesX;
@@ -207,7 +234,11 @@ public final class LatticeLayout {
     return node(cellIndex(0, cell), cellIndex(1, cell), cellIndex(2, cell));
   }
 
-  /** Returns what to add to a cell's first node for the node at a corner. */
+  /**
+   * {@return what to add to a cell's first node for the node at a corner}
+   *
+   * @param corner the number of the corner: bit 0 is its step along x, bit 1 along y, bit 2 along z
+   */
   public int cornerOffset(int corner) {
     return cornerOffsets[corner];
   }

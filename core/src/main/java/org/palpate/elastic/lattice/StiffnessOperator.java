@@ -62,19 +62,21 @@ public final class StiffnessOperator {
     return Arrays.copyOf(begins, count + 1);
   }
 
-  /** Returns the cells. */
+  /** {@return the cells} */
   public ActiveCells cells() {
     return cells;
   }
 
-  /** Returns Young's modulus of each listed cell, N/mm^2, to change before {@link #changed}. */
+  /** {@return Young's modulus of each listed cell, N/mm^2, to change before {@link #changed}} */
   public float[] modulus() {
     return modulus;
   }
 
   /**
-   * Returns the second moment of the matter of each listed cell along an axis, over that of a full
-   * cell.
+   * {@return the second moment of the matter of each listed cell along an axis, over that of a full
+   * cell}
+   *
+   * @param axis 0 for x, 1 for y, 2 for z
    */
   public float[] moment(int axis) {
     return moment[axis];
@@ -101,18 +103,30 @@ public final class StiffnessOperator {
     return diagonal;
   }
 
-  /** Takes the rotations of the cells from displacements, mm. */
+  /**
+   * Takes the rotations of the cells from displacements.
+   *
+   * @param displacement three numbers for each node, mm
+   */
   public void rotate(float[] displacement) {
     rotations.update(displacement);
   }
 
-  /** Writes the stiffness times a displacement into {@code dest}, N. */
+  /**
+   * Writes the stiffness times a displacement.
+   *
+   * @param displacement three numbers for each node, mm
+   * @param dest receives three numbers for each node, N; another array
+   */
   public void multiply(float[] displacement, float[] dest) {
     apply(displacement, dest, false);
   }
 
   /**
-   * Writes the elastic forces at a displacement into {@code dest}, N: none if nothing is strained.
+   * Writes the elastic forces at a displacement: none if nothing is strained.
+   *
+   * @param displacement three numbers for each node, mm
+   * @param dest receives three numbers for each node, N; another array
    */
   public void force(float[] displacement, float[] dest) {
     apply(displacement, dest, true);

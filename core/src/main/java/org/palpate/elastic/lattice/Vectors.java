@@ -4,7 +4,12 @@ package org.palpate.elastic.lattice;
 public final class Vectors {
   private Vectors() {}
 
-  /** Returns the dot product, summed in doubles. */
+  /**
+   * {@return the dot product, summed in doubles}
+   *
+   * @param a the first factor
+   * @param b the second factor, as long
+   */
   public static double dot(float[] a, float[] b) {
     double s = 0;
     double t = 0;
@@ -23,12 +28,22 @@ public final class Vectors {
     return s + t + u + v;
   }
 
-  /** Returns the Euclidean length. */
+  /**
+   * {@return the Euclidean length}
+   *
+   * @param a the vector
+   */
   public static double norm(float[] a) {
     return Math.sqrt(dot(a, a));
   }
 
-  /** Adds a factor times {@code a} to {@code dest}. */
+  /**
+   * Adds a multiple of a vector to another one.
+   *
+   * @param factor the factor of each component
+   * @param a the vector that is multiplied
+   * @param dest the vector to which it is added, as long
+   */
   public static void add(float factor, float[] a, float[] dest) {
     for (int n = 0; n < dest.length; n++) {
       dest[n] += factor * a[n];

@@ -83,6 +83,7 @@ public final class FaceFit {
   /**
    * Prepares fits.
    *
+   * @param grid the grid of all fragments at rest
    * @param fragments the voxels of each fragment at rest
    * @param gapMm the width of the gap between faces that fit; if empty, the fit finds it, and so
    *     does not determine how far apart the fragments are

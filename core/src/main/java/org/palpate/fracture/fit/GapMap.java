@@ -34,6 +34,7 @@ public final class GapMap {
   /**
    * Prepares maps.
    *
+   * @param grid the grid of all fragments at rest
    * @param fragments the voxels of each fragment at rest
    */
   public GapMap(VoxelGrid grid, List<BitCube> fragments) {

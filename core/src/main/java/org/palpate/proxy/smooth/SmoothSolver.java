@@ -73,12 +73,19 @@ public final class SmoothSolver implements ProxySolver {
    *
    * @param metric the spacing of the grid
    * @param maxStepMm the longest path of the point in one frame, w_max, positive
+   * @param grey the values on the grid of the scene, and their threshold
    */
   public SmoothSolver(GridMetric metric, double maxStepMm, GreyIsosurface grey) {
     this(metric, maxStepMm, new GreyIsosurfaceSource(grey));
   }
 
-  /** Creates the same for grey values that may change; call {@link #reset} after each change. */
+  /**
+   * Creates the same for grey values that may change; call {@link #reset} after each change.
+   *
+   * @param metric the spacing of the grid
+   * @param maxStepMm the longest path of the point in one frame, w_max, positive
+   * @param grey holds the present values on the grid of the scene
+   */
   public SmoothSolver(GridMetric metric, double maxStepMm, GreyIsosurfaceSource grey) {
     this(metric, maxStepMm, OccupancyField.ofGrey(metric, grey));
   }

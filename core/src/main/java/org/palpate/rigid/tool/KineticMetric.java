@@ -61,12 +61,16 @@ public final class KineticMetric {
     l22 = Math.sqrt(xx + yy - l20 * l20 - l21 * l21);
   }
 
-  /** Returns the root mean square distance of the matter from the reference point, mm. */
+  /** {@return the root mean square distance of the matter from the reference point, mm} */
   public double rmsRadiusMm() {
     return rmsRadiusMm;
   }
 
-  /** Returns w.J w of an angular speed in the tool's axes: twice its energy for unit mass. */
+  /**
+   * {@return w.J w of an angular speed in the tool's axes: twice its energy for unit mass}
+   *
+   * @param spin the angular speed in the tool's axes, rad/s
+   */
   public double squaredSpin(Vec3 spin) {
     double x = l00 * spin.x + l10 * spin.y + l20 * spin.z;
     double y = l11 * spin.y + l21 * spin.z;
@@ -74,7 +78,13 @@ public final class KineticMetric {
     return x * x + y * y + z * z;
   }
 
-  /** Writes J w, in the tool's axes; {@code dest} may be {@code spin}. */
+  /**
+   * Writes J w.
+   *
+   * @param spin the angular speed w in the tool's axes
+   * @param dest receives the product, in the tool's axes; may be {@code spin}
+   * @return {@code dest}
+   */
   public Vec3 inertiaTimes(Vec3 spin, Vec3 dest) {
     return dest.set(
         (yy + zz) * spin.x - xy * spin.y - xz * spin.z,
@@ -83,10 +93,13 @@ public final class KineticMetric {
   }
 
   /**
-   * Writes the solution x of (m J + s I) x = b, in the tool's axes; {@code dest} may be {@code b}.
+   * Writes the solution x of (m J + s I) x = b.
    *
    * @param m the factor of the inertia, at least 0
    * @param s added to the diagonal, at least 0; not both are 0
+   * @param b the right side, in the tool's axes
+   * @param dest receives the solution, in the tool's axes; may be {@code b}
+   * @return {@code dest}
    */
   public Vec3 solve(double m, double s, Vec3 b, Vec3 dest) {
     double a00 = m * (yy + zz) + s;
@@ -106,7 +119,12 @@ public final class KineticMetric {
     return dest.set((u - c10 * y - c20 * z) / c00, y, z);
   }
 
-  /** Returns the squared distance between two poses, mm^2; exactly 0 for the same bits. */
+  /**
+   * {@return the squared distance between two poses, mm^2; exactly 0 for the same bits}
+   *
+   * @param a a pose of the tool, world mm
+   * @param b another pose of the tool, world mm
+   */
   public double squaredDistance(Pose a, Pose b) {
     double dx = b.translation.x - a.translation.x;
     double dy = b.translation.y - a.translation.y;
@@ -114,7 +132,12 @@ public final class KineticMetric {
     return dx * dx + dy * dy + dz * dz + squaredTurn(a.rotation, b.rotation);
   }
 
-  /** Returns the distance between two poses, mm. */
+  /**
+   * {@return the distance between two poses, mm}
+   *
+   * @param a a pose of the tool, world mm
+   * @param b another pose of the tool, world mm
+   */
   public double distance(Pose a, Pose b) {
     return Math.sqrt(squaredDistance(a, b));
   }
@@ -157,7 +180,14 @@ public final class KineticMetric {
     dest[5] = l22 * scratch.z;
   }
 
-  /** Writes the twist of six metric coordinates: the inverse of {@link #toMetric}. */
+  /**
+   * Writes the twist of six metric coordinates: the inverse of {@link #toMetric}.
+   *
+   * @param pose the pose of the tool, world mm
+   * @param metric six metric coordinates, mm
+   * @param v receives the displacement of the reference point, world mm
+   * @param w receives the rotation vector, world axes, rad
+   */
   public void toTwist(Pose pose, double[] metric, Vec3 v, Vec3 w) {
     v.set(metric[0], metric[1], metric[2]);
     double z = metric[5] / l22;
@@ -170,7 +200,9 @@ public final class KineticMetric {
    * Writes the row a for which a.y is, to first order, the motion of a point along a direction, mm.
    *
    * @param pose the tool's
-   * @param x the point in the tool frame, mm, as are y and z
+   * @param x the point along x in the tool frame, mm
+   * @param y its y component
+   * @param z its z component
    * @param normal unit direction, world
    * @param scratch overwritten
    * @param row where to write

@@ -21,12 +21,12 @@ public final class MassProperties {
     this.covariance = covariance;
   }
 
-  /** Returns the volume, mm^3; for matter without volume, its area or number of parts. */
+  /** {@return the volume, mm^3; for matter without volume, its area or number of parts} */
   public double volumeMm3() {
     return volumeMm3;
   }
 
-  /** Returns the centroid, mm; not to be written. */
+  /** {@return the centroid, mm; not to be written} */
   public Vec3 centroidMm() {
     return centroidMm;
   }

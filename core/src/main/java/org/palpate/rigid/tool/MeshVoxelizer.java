@@ -53,9 +53,10 @@ public final class MeshVoxelizer {
   }
 
   /**
-   * Returns a voxelizer whose voxels have their corners at multiples of their edge. Meshes with
+   * {@return a voxelizer whose voxels have their corners at multiples of their edge} Meshes with
    * disjoint solids then share no voxel by its centre.
    *
+   * @param mesh the mesh, in the frame of the voxels, mm
    * @param edgeMm the edge of a voxel, mm
    * @throws IllegalArgumentException if the mesh is not closed
    */
@@ -83,9 +84,9 @@ public final class MeshVoxelizer {
   }
 
   /**
-   * Returns the voxels of a body: those whose centres lie in the solid of the mesh. Where a part is
-   * too thin for that, it also takes the voxels that the surface passes through, so that no part is
-   * lost. No point of the solid lies farther than the diagonal of a voxel from these voxels.
+   * {@return the voxels of a body: those whose centres lie in the solid of the mesh} Where a part
+   * is too thin for that, it also takes the voxels that the surface passes through, so that no part
+   * is lost. No point of the solid lies farther than the diagonal of a voxel from these voxels.
    */
   public VoxelSolid voxelizeBody() {
     fillInside();

@@ -85,7 +85,13 @@ public final class RigidTool implements PointSet {
     return z[point];
   }
 
-  /** Writes a sample point, mm. */
+  /**
+   * Writes a sample point.
+   *
+   * @param index the index of the point, from 0
+   * @param dest receives the point, tool frame, mm
+   * @return {@code dest}
+   */
   public Vec3 point(int index, Vec3 dest) {
     return dest.set(x[index], y[index], z[index]);
   }
@@ -95,8 +101,10 @@ public final class RigidTool implements PointSet {
    * shapes know their surface; for other tools that is the sample point itself. Points that do not
    * cover the surface stand for no more of it than the shape says.
    *
+   * @param index the index of the sample point
    * @param up unit, tool frame
    * @param dest written, tool frame, mm
+   * @return {@code dest}
    */
   public Vec3 lowestNear(int index, Vec3 up, Vec3 dest) {
     point(index, dest);
@@ -104,57 +112,61 @@ public final class RigidTool implements PointSet {
     return solid == null ? dest : solid.lowestNear(dest, up, withinMm, dest);
   }
 
-  /** Returns the tree of bounding spheres over the sample points. */
+  /** {@return the tree of bounding spheres over the sample points} */
   public SphereTree tree() {
     return tree;
   }
 
-  /** Returns the kinetic metric. */
+  /** {@return the kinetic metric} */
   public KineticMetric metric() {
     return metric;
   }
 
-  /** Returns an upper bound of the distance of any sample point from the reference point, mm. */
+  /** {@return an upper bound of the distance of any sample point from the reference point, mm} */
   public double radiusMm() {
     return radiusMm;
   }
 
-  /** Returns the root mean square distance of the matter from the reference point, mm. */
+  /** {@return the root mean square distance of the matter from the reference point, mm} */
   public double rmsRadiusMm() {
     return metric.rmsRadiusMm();
   }
 
   /**
-   * Returns the cover radius, mm: each surface point of the tool lies within this distance of a
-   * sample point. It is {@link #NOT_COVERED} for a thinned tool.
+   * {@return the cover radius, mm: each surface point of the tool lies within this distance of a
+   * sample point} It is {@link #NOT_COVERED} for a thinned tool.
    */
   public double coverRadiusMm() {
     return coverRadiusMm;
   }
 
-  /** Whether the sample points cover the surface, as the whole-tool theorem needs. */
+  /** {@return whether the sample points cover the surface, as the whole-tool theorem needs} */
   public boolean isCovered() {
     return coverRadiusMm < NOT_COVERED;
   }
 
-  /** Returns the solid that the points were sampled from, or null if there is none. */
+  /** {@return the solid that the points were sampled from, or null if there is none} */
   public ToolSolid solid() {
     return solid;
   }
 
   /**
-   * Writes the position of the reference point in the frame of the source, mm: the world for a
-   * segment, and the own frame of a shape or a mesh. A tool pose with this translation and no
-   * rotation puts the tool where it was read.
+   * Writes the position of the reference point in the frame of the source: the world for a segment,
+   * and the own frame of a shape or a mesh. A tool pose with this translation and no rotation puts
+   * the tool where it was read.
+   *
+   * @param dest receives the position, mm
+   * @return {@code dest}
    */
   public Vec3 referenceMm(Vec3 dest) {
     return dest.set(referenceMm);
   }
 
   /**
-   * Returns a tool of at most {@code most} of these points, spread evenly, with the same matter.
-   * Its points no longer cover the surface.
+   * {@return a tool of fewer of these points, spread evenly, with the same matter} Its points no
+   * longer cover the surface.
    *
+   * @param most the largest number of points; if there are no more, this tool is returned
    * @throws IllegalArgumentException if {@code most} is below 1
    */
   public RigidTool thinned(int most) {

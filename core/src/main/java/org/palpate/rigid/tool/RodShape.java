@@ -45,24 +45,40 @@ public record RodShape(
     }
   }
 
-  /** Returns a sphere around the origin. */
+  /**
+   * {@return a sphere around the origin}
+   *
+   * @param radiusMm the radius, mm, positive
+   */
   public static RodShape sphere(double radiusMm) {
     return new RodShape(radiusMm, 0, 0, true, true);
   }
 
-  /** Returns a capsule: a cylinder of this length, around the origin, between two half spheres. */
+  /**
+   * {@return a capsule: a cylinder around the origin between two half spheres}
+   *
+   * @param radiusMm the radius, mm, positive
+   * @param lengthMm the length of the cylinder, mm
+   */
   public static RodShape capsule(double radiusMm, double lengthMm) {
     return new RodShape(radiusMm, -lengthMm / 2, lengthMm / 2, true, true);
   }
 
-  /** Returns a cylinder with flat ends around the origin. */
+  /**
+   * {@return a cylinder with flat ends around the origin}
+   *
+   * @param radiusMm the radius, mm, positive
+   * @param lengthMm the length along z, mm
+   */
   public static RodShape cylinder(double radiusMm, double lengthMm) {
     return new RodShape(radiusMm, -lengthMm / 2, lengthMm / 2, false, false);
   }
 
   /**
-   * Returns a needle: a cylinder of this length around the origin, with a half sphere as its tip at
-   * low z.
+   * {@return a needle: a cylinder around the origin, with a half sphere as its tip at low z}
+   *
+   * @param radiusMm the radius, mm, positive
+   * @param lengthMm the length of the cylinder along z, mm
    */
   public static RodShape needle(double radiusMm, double lengthMm) {
     return new RodShape(radiusMm, -lengthMm / 2, lengthMm / 2, true, false);

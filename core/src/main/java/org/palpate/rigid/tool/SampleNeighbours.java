@@ -13,8 +13,9 @@ public final class SampleNeighbours {
   private SampleNeighbours() {}
 
   /**
-   * Returns the point that lies lowest along a direction.
+   * {@return the point that lies lowest along a direction}
    *
+   * @param tool the sample points and their tree
    * @param point the index of the point near which to search; the answer if no other is lower by
    *     more than the difference
    * @param up unit, tool frame
@@ -39,8 +40,9 @@ public final class SampleNeighbours {
   }
 
   /**
-   * Returns the point that is nearest to a position.
+   * {@return the point that is nearest to a position}
    *
+   * @param tool the sample points and their tree
    * @param point the index of the point near which to search
    * @param at the position, tool frame, mm
    */

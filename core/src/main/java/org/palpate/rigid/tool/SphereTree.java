@@ -54,62 +54,102 @@ public final class SphereTree {
     return points <= LEAF_POINTS ? 1 : 1 + nodesOver(half) + nodesOver(points - half);
   }
 
-  /** Returns the number of nodes; the root is node 0. */
+  /** {@return the number of nodes; the root is node 0} */
   public int nodes() {
     return nodes;
   }
 
-  /** Returns the number of leaves. */
+  /** {@return the number of leaves} */
   public int leaves() {
     return leaves;
   }
 
-  /** Returns the x coordinate of the centre of a node's sphere, mm. */
+  /**
+   * {@return the x coordinate of the centre of a node's sphere, mm}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
   public double x(int node) {
     return x[node];
   }
 
-  /** Returns the y coordinate of the centre of a node's sphere, mm. */
+  /**
+   * {@return the y coordinate of the centre of a node's sphere, mm}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
   public double y(int node) {
     return y[node];
   }
 
-  /** Returns the z coordinate of the centre of a node's sphere, mm. */
+  /**
+   * {@return the z coordinate of the centre of a node's sphere, mm}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
   public double z(int node) {
     return z[node];
   }
 
-  /** Returns the radius of a node's sphere, mm. */
+  /**
+   * {@return the radius of a node's sphere, mm}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
   public double radius(int node) {
     return radius[node];
   }
 
-  /** Returns the node that follows the subtree of a node; {@link #nodes} after the last one. */
+  /**
+   * {@return the node that follows the subtree of a node; {@link #nodes} after the last one}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
   public int skip(int node) {
     return skip[node];
   }
 
-  /** Whether the node is a leaf. */
+  /**
+   * {@return whether the node is a leaf}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
   public boolean isLeaf(int node) {
     return first[node] >= 0;
   }
 
-  /** Returns the index of the first point of a leaf; negative for an inner node. */
+  /**
+   * {@return the index of the first point of a leaf; negative for an inner node}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
   public int first(int node) {
     return first[node];
   }
 
-  /** Returns the index after the last point of a leaf. */
+  /**
+   * {@return the index after the last point of a leaf}
+   *
+   * @param node the number of a leaf's node
+   */
   public int end(int node) {
     return end[node];
   }
 
-  /** Returns the number of a leaf in preorder; negative for an inner node. */
+  /**
+   * {@return the number of a leaf in preorder; negative for an inner node}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
   public int leaf(int node) {
     return leaf[node];
   }
 
-  /** Returns the number of the leaf that holds a point. */
+  /**
+   * {@return the number of the leaf that holds a point}
+   *
+   * @param point the index of the point
+   */
   public int leafOfPoint(int point) {
     return leafOfPoint[point];
   }

@@ -16,7 +16,7 @@ import org.palpate.volume.VoxelGrid;
 public final class ToolSampler {
   private ToolSampler() {}
 
-  /** Returns a tool of a single point, which has no extent. */
+  /** {@return a tool of a single point, which has no extent} */
   public static RigidTool point() {
     double[][] origin = {{0}, {0}, {0}};
     KineticMetric metric = new KineticMetric(0, 0, 0, 0, 0, 0);
@@ -24,8 +24,9 @@ public final class ToolSampler {
   }
 
   /**
-   * Returns a tool whose points sample a shape. The reference point is its centroid.
+   * {@return a tool whose points sample a shape} The reference point is its centroid.
    *
+   * @param shape the shape, in its own frame
    * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
    */
   public static RigidTool ofShape(ToolShape shape, double coverRadiusMm) {
@@ -33,9 +34,10 @@ public final class ToolSampler {
   }
 
   /**
-   * Returns a tool whose points sample an eroded shape. The reference point is the centroid of the
+   * {@return a tool whose points sample an eroded shape} The reference point is the centroid of the
    * whole shape.
    *
+   * @param shape the whole shape, in its own frame
    * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
    * @param depthMm the depth of the erosion, mm; 0 for none
    * @throws ErodedAwayException if no point of the shape is that deep
@@ -60,8 +62,8 @@ public final class ToolSampler {
   }
 
   /**
-   * Returns a tool whose points sample a segment by its rim voxels. The reference point is the mean
-   * of the centres of all solid voxels; at the identity orientation the tool's axes are the
+   * {@return a tool whose points sample a segment by its rim voxels} The reference point is the
+   * mean of the centres of all solid voxels; at the identity orientation the tool's axes are the
    * world's. Long voxels are cut into parts that are about cubes.
    *
    * @param bits the segment, which the caller no longer changes
@@ -73,10 +75,11 @@ public final class ToolSampler {
   }
 
   /**
-   * Returns a tool whose points sample an eroded segment by its rim voxels. The reference point is
+   * {@return a tool whose points sample an eroded segment by its rim voxels} The reference point is
    * the mean of the centres of all solid voxels of the whole segment.
    *
    * @param bits the segment, which the caller no longer changes
+   * @param grid the grid of the segment
    * @param depthMm the depth of the erosion, mm; 0 for none
    * @throws IllegalArgumentException if the segment has no voxels
    * @throws ErodedAwayException if no point of the segment is that deep
@@ -86,9 +89,12 @@ public final class ToolSampler {
   }
 
   /**
-   * Returns a tool of an eroded segment as {@link #ofErodedSegment(BitCube, VoxelGrid, double)}
-   * does, but more densely if wanted.
+   * {@return a tool of an eroded segment as {@link #ofErodedSegment(BitCube, VoxelGrid, double)}
+   * does, but more densely if wanted}
    *
+   * @param bits the segment, which the caller no longer changes
+   * @param grid the grid of the segment
+   * @param depthMm the depth of the erosion, mm; 0 for none
    * @param longestEdgeMm the longest edge of the voxels whose centres are sampled, mm
    * @throws IllegalArgumentException if the segment has no voxels
    * @throws ErodedAwayException if no point of the segment is that deep
@@ -114,17 +120,35 @@ public final class ToolSampler {
     return depthMm == 0 ? Double.POSITIVE_INFINITY : depthMm;
   }
 
-  /** Returns the memory that a tool of a segment takes while it is made, bytes. */
+  /**
+   * {@return the memory that a tool of a segment takes while it is made, bytes}
+   *
+   * @param bits the segment
+   * @param grid the grid of the segment
+   * @param depthMm the depth of the erosion, mm; 0 for none
+   */
   public static double bytesFor(BitCube bits, VoxelGrid grid, double depthMm) {
     return bytesOfEdges(bits, grid, longestEdgeMm(depthMm));
   }
 
-  /** Returns the same for voxels whose edges are at most as long as given, mm. */
+  /**
+   * {@return the memory that a tool of a segment takes while it is made with short voxels, bytes}
+   *
+   * @param bits the segment
+   * @param grid the grid of the segment
+   * @param longestEdgeMm the longest edge of the voxels whose centres are sampled, mm
+   */
   public static double bytesOfEdges(BitCube bits, VoxelGrid grid, double longestEdgeMm) {
     return new VoxelSolid(bits, grid).refinedBytes(longestEdgeMm);
   }
 
-  /** Returns the memory that a tool of a closed mesh takes while it is made, bytes. */
+  /**
+   * {@return the memory that a tool of a closed mesh takes while it is made, bytes}
+   *
+   * @param mesh the mesh
+   * @param edgeMm the edge of a voxel, mm
+   * @param depthMm the depth of the erosion, mm; 0 for none
+   */
   public static double bytesFor(TriangleMesh mesh, double edgeMm, double depthMm) {
     Vec3 size = mesh.high().sub(mesh.low(), new Vec3());
     double voxels = (size.x / edgeMm + 3) * (size.y / edgeMm + 3) * (size.z / edgeMm + 3);
@@ -133,12 +157,14 @@ public final class ToolSampler {
   }
 
   /**
-   * Voxelizes a closed mesh, and returns a tool of the voxels of its rim. The voxels contain the
-   * whole solid of the mesh. The reference point is the centroid of its volume, and the tool's axes
-   * are those of the mesh.
+   * Voxelizes a closed mesh, and samples the voxels of its rim. The voxels contain the whole solid
+   * of the mesh. The reference point is the centroid of its volume, and the tool's axes are those
+   * of the mesh.
    *
+   * @param mesh the mesh, in its own frame
    * @param edgeMm the edge of a voxel, mm
    * @param depthMm the depth of an erosion, mm; 0 for none
+   * @return the tool
    * @throws IllegalArgumentException if the mesh is not closed
    * @throws ErodedAwayException if no point of the mesh is that deep
    */
@@ -157,9 +183,10 @@ public final class ToolSampler {
   }
 
   /**
-   * Returns a tool whose points sample the surface of a mesh that need not be closed. The reference
-   * point is the centroid of its area, or of its volume if it is closed.
+   * {@return a tool whose points sample the surface of a mesh that need not be closed} The
+   * reference point is the centroid of its area, or of its volume if it is closed.
    *
+   * @param mesh the mesh, in its own frame
    * @param coverRadiusMm the largest distance of a surface point from its nearest sample, positive
    */
   public static RigidTool ofSurface(TriangleMesh mesh, double coverRadiusMm) {

@@ -11,28 +11,40 @@ public sealed interface ToolShape permits BoxShape, RodShape {
   /** Takes points one after the other. */
   @FunctionalInterface
   interface PointSink {
-    /** Takes a point, mm. */
+    /**
+     * Takes a point.
+     *
+     * @param x the point along x, frame of the shape, mm
+     * @param y its y component
+     * @param z its z component
+     */
     void add(double x, double y, double z);
   }
 
-  /** Whether the closed solid contains the point, mm. */
+  /**
+   * {@return whether the closed solid contains a point}
+   *
+   * @param x the point along x, frame of the shape, mm
+   * @param y its y component
+   * @param z its z component
+   */
   boolean contains(double x, double y, double z);
 
-  /** Returns the low corner of a box around the solid, mm. */
+  /** {@return the low corner of a box around the solid, mm} */
   Vec3 low();
 
-  /** Returns the high corner of a box around the solid, mm. */
+  /** {@return the high corner of a box around the solid, mm} */
   Vec3 high();
 
-  /** Returns the area of the surface, mm^2. */
+  /** {@return the area of the surface, mm^2} */
   double areaMm2();
 
-  /** Returns volume, centroid and second moments, by formula. */
+  /** {@return volume, centroid and second moments, by formula} */
   MassProperties massProperties();
 
   /**
-   * Returns the points of the solid that lie deeper than a distance below its surface; empty if
-   * none does.
+   * {@return the points of the solid that lie deeper than a distance below its surface; empty if
+   * none does}
    *
    * @param depthMm the distance, mm, positive
    */
@@ -46,6 +58,7 @@ public sealed interface ToolShape permits BoxShape, RodShape {
    * @param up unit
    * @param withinMm the search reaches at least this far from the sample, mm
    * @param dest written; may be {@code sample}
+   * @return {@code dest}
    */
   default Vec3 lowestNear(Vec3 sample, Vec3 up, double withinMm, Vec3 dest) {
     return dest.set(sample);

@@ -55,28 +55,35 @@ public final class TriangleMesh {
     }
   }
 
-  /** Whether the triangles bound a solid. */
+  /** {@return whether the triangles bound a solid} */
   public boolean isClosed() {
     return isClosed;
   }
 
-  /** Returns the number of triangles. */
+  /** {@return the number of triangles} */
   public int triangleCount() {
     return corners.length / 3;
   }
 
-  /** Writes a corner of a triangle, mm: 0, 1 or 2. */
+  /**
+   * Writes a corner of a triangle.
+   *
+   * @param triangle the number of the triangle, from 0
+   * @param index the number of the corner: 0, 1 or 2
+   * @param dest receives the corner, mm
+   * @return {@code dest}
+   */
   public Vec3 corner(int triangle, int index, Vec3 dest) {
     int at = 3 * corners[3 * triangle + index];
     return dest.set(coordinates[at], coordinates[at + 1], coordinates[at + 2]);
   }
 
-  /** Returns the low corner of the box around the mesh, mm. */
+  /** {@return the low corner of the box around the mesh, mm} */
   public Vec3 low() {
     return new Vec3(least(0, 1), least(1, 1), least(2, 1));
   }
 
-  /** Returns the high corner of the box around the mesh, mm. */
+  /** {@return the high corner of the box around the mesh, mm} */
   public Vec3 high() {
     return new Vec3(-least(0, -1), -least(1, -1), -least(2, -1));
   }
@@ -89,7 +96,7 @@ public final class TriangleMesh {
     return least;
   }
 
-  /** Returns the area, mm^2. */
+  /** {@return the area, mm^2} */
   public double areaMm2() {
     Vec3 a = new Vec3();
     Vec3 b = new Vec3();
@@ -126,12 +133,12 @@ public final class TriangleMesh {
     return moments.massProperties();
   }
 
-  /** Returns a copy of the vertices, x, y and z of each, mm. */
+  /** {@return a copy of the vertices, x, y and z of each, mm} */
   public double[] coordinates() {
     return Arrays.copyOf(coordinates, coordinates.length);
   }
 
-  /** Returns a copy of the indices of the vertices, three for each triangle. */
+  /** {@return a copy of the indices of the vertices, three for each triangle} */
   public int[] corners() {
     return Arrays.copyOf(corners, corners.length);
   }

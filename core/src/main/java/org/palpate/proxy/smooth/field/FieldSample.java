@@ -52,69 +52,69 @@ public final class FieldSample {
   }
 
   /**
-   * Returns the number of the evaluation. It changes whenever any other value of the sample may
+   * {@return the number of the evaluation} It changes whenever any other value of the sample may
    * have changed.
    */
   public long evaluation() {
     return evaluation;
   }
 
-  /** Returns the occupancy, about 0 to 1; beside wide terraces it may be a little less than 0. */
+  /** {@return the occupancy, about 0 to 1; beside wide terraces it may be a little less than 0} */
   public double occupancy() {
     return occupancy;
   }
 
-  /** Returns the first derivative along x. */
+  /** {@return the first derivative along x} */
   public double gx() {
     return gx;
   }
 
-  /** Returns the first derivative along y. */
+  /** {@return the first derivative along y} */
   public double gy() {
     return gy;
   }
 
-  /** Returns the first derivative along z. */
+  /** {@return the first derivative along z} */
   public double gz() {
     return gz;
   }
 
-  /** Returns the second derivative along x. */
+  /** {@return the second derivative along x} */
   public double hxx() {
     return hxx;
   }
 
-  /** Returns the second derivative along y. */
+  /** {@return the second derivative along y} */
   public double hyy() {
     return hyy;
   }
 
-  /** Returns the second derivative along z. */
+  /** {@return the second derivative along z} */
   public double hzz() {
     return hzz;
   }
 
-  /** Returns the mixed derivative along x and y. */
+  /** {@return the mixed derivative along x and y} */
   public double hxy() {
     return hxy;
   }
 
-  /** Returns the mixed derivative along x and z. */
+  /** {@return the mixed derivative along x and z} */
   public double hxz() {
     return hxz;
   }
 
-  /** Returns the mixed derivative along y and z. */
+  /** {@return the mixed derivative along y and z} */
   public double hyz() {
     return hyz;
   }
 
-  /** Whether the point lies in open space, with no surface near. */
+  /** {@return whether the point lies in open space, with no surface near} */
   public boolean isOpen() {
     return occupancy < OPEN_OCCUPANCY;
   }
 
-  /** Whether the field is steep enough here for its gradient to mean a direction. */
+  /** {@return whether the field is steep enough here for its gradient to mean a direction} */
   public boolean hasNormal() {
     if (normalOf != evaluation) {
       findNormal();
@@ -122,19 +122,19 @@ public final class FieldSample {
     return slope >= MIN_SLOPE;
   }
 
-  /** Returns the outward unit normal; valid only if {@link #hasNormal}, not to be changed. */
+  /** {@return the outward unit normal; valid only if {@link #hasNormal}, not to be changed} */
   public Vec3 normal() {
     return normal;
   }
 
-  /** Returns the inverse of the gradient's length; valid only if {@link #hasNormal}. */
+  /** {@return the inverse of the gradient's length; valid only if {@link #hasNormal}} */
   public double inverseSlope() {
     return inverseSlope;
   }
 
   /**
-   * Returns the height of the point above the isosurface, in edges, to first order along the
-   * gradient; negative inside. Valid only if {@link #hasNormal}.
+   * {@return the height of the point above the isosurface, in edges, to first order along the
+   * gradient; negative inside} Valid only if {@link #hasNormal}.
    */
   public double heightEdges() {
     return heightEdges;
@@ -151,8 +151,8 @@ public final class FieldSample {
   }
 
   /**
-   * Returns the height of the point above the isosurface, in edges, as the occupancy alone gives
-   * it: bounded by {@link #MAX_HEIGHT_EDGES} above and by the isosurface's offset below. Without a
+   * {@return the height of the point above the isosurface, in edges, as the occupancy alone gives
+   * it: bounded by {@link #MAX_HEIGHT_EDGES} above and by the isosurface's offset below} Without a
    * normal it is the upper bound in open space and else 0.
    */
   public double boundedHeightEdges() {
@@ -172,8 +172,8 @@ public final class FieldSample {
   }
 
   /**
-   * Returns the sum of the isosurface's principal curvatures, per edge; positive where it is
-   * convex. Without a normal of its own the sample uses the last one that it had.
+   * {@return the sum of the isosurface's principal curvatures, per edge; positive where it is
+   * convex} Without a normal of its own the sample uses the last one that it had.
    */
   public double curvatureSum() {
     double alongNormal =

@@ -37,8 +37,11 @@ public record GreyIsosurface(ScalarVolume volume, double threshold, double contr
   }
 
   /**
-   * Returns the isosurface of a threshold. Its contrast is measured: half the mean step of the
+   * {@return the isosurface of a threshold} Its contrast is measured: half the mean step of the
    * values from one side of the surface to the other. Cost: one pass over the values.
+   *
+   * @param volume the grey values; kept
+   * @param threshold the value at the surface, in the unit of the volume
    */
   public static GreyIsosurface ofThreshold(ScalarVolume volume, double threshold) {
     double step = new EdgeContrast(volume, threshold).meanDifference() / PAIR_FRACTION_OF_STEP;

@@ -11,17 +11,25 @@ import org.palpate.volume.VoxelGrid;
 public final class GreyIsosurfaceSource {
   private volatile GreyIsosurface current;
 
-  /** Creates a source that begins with {@code first}. */
+  /**
+   * Creates a source.
+   *
+   * @param first the values with which it begins
+   */
   public GreyIsosurfaceSource(GreyIsosurface first) {
     current = first;
   }
 
-  /** Returns the present values. */
+  /** {@return the present values} */
   public GreyIsosurface now() {
     return current;
   }
 
-  /** Replaces values, threshold and contrast; the grid stays the same. */
+  /**
+   * Replaces values, threshold and contrast; the grid stays the same.
+   *
+   * @param fresh the new values, on the same grid
+   */
   public void replace(GreyIsosurface fresh) {
     current = fresh;
   }

@@ -69,19 +69,26 @@ public final class IsoLevel {
     return sigmaEdges * sigmaEdges * MIDDLE_WIDENING * MIDDLE_WIDENING;
   }
 
-  /** Returns the distance of the isosurface from a plane of solid, outside it, in edges. */
+  /** {@return the distance of the isosurface from a plane of solid, outside it, in edges} */
   public double offsetEdges() {
     return offsetEdges;
   }
 
-  /** Returns the occupancy on the isosurface where its outward unit normal is {@code normal}. */
+  /**
+   * {@return the occupancy on the isosurface where its normal has a direction}
+   *
+   * @param normal the outward unit normal, along the axes of the grid
+   */
   public double occupancy(Vec3 normal) {
     return isotropic ? occupancy : tail(offsetEdges / sigma(normal));
   }
 
   /**
-   * Returns the height above the isosurface, in edges, of a point of this occupancy: negative
-   * inside, and a few edges at most either way.
+   * {@return the height above the isosurface, in edges, of a point of an occupancy: negative
+   * inside, and a few edges at most either way}
+   *
+   * @param occupancyAtPoint the occupancy at the point; below 0 or above 1 it counts as 0 or 1
+   * @param normal the outward unit normal, along the axes of the grid
    */
   public double heightEdges(double occupancyAtPoint, Vec3 normal) {
     double at = Math.max(0, Math.min(1, occupancyAtPoint)) * TABLE_STEPS;
@@ -91,7 +98,7 @@ public final class IsoLevel {
   }
 
   /**
-   * Returns how much closer the isosurface runs to a curved surface than to a plane, in edges.
+   * {@return how much closer the isosurface runs to a curved surface than to a plane, in edges}
    *
    * @param curvatureSum the sum of the principal curvatures, per edge, positive if convex
    */

@@ -104,22 +104,29 @@ public final class OccupancyField {
   }
 
   /**
-   * Returns this field with a memory for many places that are evaluated in turn. This one must not
+   * {@return this field with a memory for many places that are evaluated in turn} This one must not
    * be used any more.
    */
   public OccupancyField forManyPlaces() {
     return new OccupancyField(this);
   }
 
-  /** Returns a field that is made from the voxels' bits alone. */
+  /**
+   * {@return a field that is made from the voxels' bits alone}
+   *
+   * @param metric the edges of a voxel
+   */
   public static OccupancyField ofBits(GridMetric metric) {
     return ofBits(metric, false);
   }
 
   /**
-   * Returns the same with wide terraces interpolated, see {@link Terraces}. It is made for a point
-   * that slides: an evaluation far from the last one looks for terraces all around. Voxels that are
-   * cut along two axes keep their terraces, whose cells would take too long to make.
+   * {@return a field that is made from the voxels' bits alone, with wide terraces interpolated, see
+   * {@link Terraces}} It is made for a point that slides: an evaluation far from the last one looks
+   * for terraces all around. Voxels that are cut along two axes keep their terraces, whose cells
+   * would take too long to make.
+   *
+   * @param metric the edges of a voxel
    */
   public static OccupancyField ofBitsOverTerraces(GridMetric metric) {
     return ofBits(metric, true);
@@ -149,8 +156,9 @@ public final class OccupancyField {
   }
 
   /**
-   * Returns a field that is made from grey values, and from the bits where they disagree.
+   * {@return a field that is made from grey values, and from the bits where they disagree}
    *
+   * @param metric the edges of a voxel
    * @param grey the grey values; after they change, call {@link #forget}
    */
   public static OccupancyField ofGrey(GridMetric metric, GreyIsosurfaceSource grey) {
@@ -183,7 +191,11 @@ public final class OccupancyField {
         metric.spacingX() / shortest, metric.spacingY() / shortest, metric.spacingZ() / shortest);
   }
 
-  /** Sets the scene; forgets the cached voxels if it is another one than before. */
+  /**
+   * Sets the scene; forgets the cached voxels if it is another one than before.
+   *
+   * @param newScene the solids, on a grid with the metric of the field
+   */
   public void use(CollisionScene newScene) {
     if (scene != newScene) {
       scene = newScene;
@@ -197,27 +209,29 @@ public final class OccupancyField {
     source.forget();
   }
 
-  /** Returns the isosurface that samples refer to. */
+  /** {@return the isosurface that samples refer to} */
   public IsoLevel level() {
     return level;
   }
 
-  /** Returns the sample that evaluations write, as the last one left it. */
+  /** {@return the sample that evaluations write, as the last one left it} */
   public FieldSample sample() {
     return sample;
   }
 
   /**
-   * Returns how many windows of voxels were read so far, or taken from the memory of a field {@link
-   * #forManyPlaces}; reading is most of the cost.
+   * {@return how many windows of voxels were read so far, or taken from the memory of a field
+   * {@link #forManyPlaces}; reading is most of the cost}
    */
   public long windowReads() {
     return windowReads;
   }
 
   /**
-   * Whether a point lies in a solid cell. Cells are voxels, or thin slices of long voxels, which
-   * may be solid within an empty voxel.
+   * {@return whether a point lies in a solid cell} Cells are voxels, or thin slices of long voxels,
+   * which may be solid within an empty voxel.
+   *
+   * @param point the point, grid coordinates
    */
   public boolean isSolid(Vec3 point) {
     return cells.isSolid(

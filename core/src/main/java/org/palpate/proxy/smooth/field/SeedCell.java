@@ -11,7 +11,12 @@ public final class SeedCell {
   private int y;
   private int z;
 
-  /** Sets the cell that holds a position in grid coordinates; returns this. */
+  /**
+   * Sets the cell that holds a position.
+   *
+   * @param position the position, grid coordinates
+   * @return this cell
+   */
   public SeedCell set(Vec3 position) {
     x = floor(position.x);
     y = floor(position.y);
@@ -26,17 +31,17 @@ public final class SeedCell {
     z = other.z;
   }
 
-  /** Returns the cell's index along x. */
+  /** {@return the cell's index along x} */
   public int x() {
     return x;
   }
 
-  /** Returns the cell's index along y. */
+  /** {@return the cell's index along y} */
   public int y() {
     return y;
   }
 
-  /** Returns the cell's index along z. */
+  /** {@return the cell's index along z} */
   public int z() {
     return z;
   }
