@@ -337,6 +337,22 @@ class HapticFrameTest {
     assertFalse(isBuried(frame));
   }
 
+  @Test
+  void whatOneSolverSaysOfItsSurfaceDoesNotHoldForTheNext() {
+    PointFrame frame = floor.frame(descendsTo(5));
+    frame.requestSolver(
+        (scene, d, point) -> {
+          point.surfaceHeightMm = 0.3;
+          point.limitsForceRate = true;
+        });
+    run(frame, 5);
+    assertEquals(0.3, frame.point().surfaceHeightMm);
+    frame.requestSolver((scene, d, point) -> {});
+    run(frame, 1);
+    assertEquals(0, frame.point().surfaceHeightMm);
+    assertFalse(frame.point().limitsForceRate);
+  }
+
   private boolean isBuried(PointFrame frame) {
     Vec3 p = frame.point().position;
     return floor.scene.touches(p.x, p.y, p.z);
