@@ -4,7 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.palpate.testing.RandomCases;
+import org.palpate.testing.Seeds;
 
 class AxisTraversalTest {
   private final AxisTraversal axis = new AxisTraversal();
@@ -117,18 +120,26 @@ class AxisTraversalTest {
     assertCell(-1, 9, 6.5 / 16);
   }
 
-  /** Far out the position is a guess that is wrong by several cells. */
+  /** The position at a crossing may round to either side of its plane. */
   @Test
-  void crossingsCorrectAPositionThatRoundingMoves() {
-    double from = 0x1p52 + 1;
-    axis.begin(from, -from, 99);
-    for (int plane = 20; plane >= -20; plane--) {
-      double t = axis.crossing(plane);
-      axis.skipTo(t, 20, -20);
-      assertTrue(axis.next >= t - AxisTraversal.doubt(t), "plane " + plane);
-      assertTrue(
-          axis.cell == 20 || axis.crossing(axis.cell + 1) < t - AxisTraversal.doubt(t),
-          "plane " + plane);
+  void skipsBeforeTheFirstPlaneThatIsNotSurelyCrossedAlthoughPositionsAreRounded() {
+    long seed = Seeds.seed();
+    SplittableRandom random = new SplittableRandom(seed);
+    for (int n = 0; n < RandomCases.of(50_000); n++) {
+      double from = random.nextDouble(-20, 20);
+      double to = random.nextBoolean() ? random.nextDouble(21, 40) : random.nextDouble(-40, -21);
+      int last = to > from ? 21 : -21;
+      axis.begin(from, to, 99);
+      int first = axis.step > 0 ? axis.cell + 1 : axis.cell;
+      double crossing = axis.crossing(random.nextInt(Math.min(first, last), Math.max(first, last)));
+      double roundings = random.nextInt(-3, 4) * Math.ulp(crossing);
+      double t = crossing + AxisTraversal.doubt(crossing) + roundings;
+      axis.skipTo(t, first, last);
+      double sure = t - AxisTraversal.doubt(t);
+      int plane = axis.step > 0 ? axis.cell + 1 : axis.cell;
+      String what = "seed=" + seed + " case " + n;
+      assertTrue(plane == last || axis.crossing(plane) >= sure, what);
+      assertTrue(plane == first || axis.crossing(plane - axis.step) < sure, what);
     }
   }
 
