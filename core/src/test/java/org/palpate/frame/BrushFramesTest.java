@@ -126,6 +126,22 @@ class BrushFramesTest {
     assertTrue(frame.wasFreed());
   }
 
+  /** The point lies on the edge of four voxels. */
+  @Test
+  void aPointSparesEveryVoxelThatItTouches() {
+    PointFrame frame = pointFrame();
+    pose.translation.set(12, 12.5, 18);
+    run(frame, 5);
+    edits.offer(BrushEdit.atTool(0, new BrushPath(), 3, true, SPARES_TOOL));
+    run(frame, 1);
+    assertFalse(frame.wasFreed());
+    for (int i = 11; i <= 12; i++) {
+      assertFalse(bits.get(i, 12, 17) || bits.get(i, 12, 18), "i=" + i);
+    }
+    assertTrue(bits.get(10, 12, 17) && bits.get(13, 12, 18) && bits.get(11, 13, 18));
+    assertTrue(bits.get(12, 12, 19) && bits.get(12, 12, 16) && bits.get(11, 11, 17));
+  }
+
   @Test
   void aPointErasesWhereItTouchesAndNotWhereTheHandIs() {
     PointFrame frame = pointFrame();
