@@ -22,23 +22,29 @@ class FrameWorkTest {
   private static final int MAX_RATIO_OF_SMOOTH = 15;
 
   /**
+   * The same for {@code smooth} and a hostile hand. Some of its scenes have long voxels, where a
+   * jump interpolates columns in each window that it reads.
+   */
+  private static final int MAX_RATIO_OF_HOSTILE = 30;
+
+  /**
    * The same for {@code smooth} among alternating slices of long voxels. Half of the slices are
    * empty, so that its search for an outline reads them as far as it reaches: 24 pixels to each
-   * side. After a jump none of these pixels is cached.
+   * side. After a jump none of these pixels is cached, and each column is interpolated anew.
    */
-  private static final int MAX_RATIO_AMONG_SLICES = 24;
+  private static final int MAX_RATIO_AMONG_SLICES = 32;
 
   /** The same if an edit before each frame empties the cache. */
-  private static final int MAX_RATIO_AMONG_EDITED_SLICES = 36;
+  private static final int MAX_RATIO_AMONG_EDITED_SLICES = 80;
 
   /**
    * The same if voxels are long along two axes. The search of the second cut then reads cells that
    * the first one makes.
    */
-  private static final int MAX_RATIO_ALONG_TWO_AXES = 64;
+  private static final int MAX_RATIO_ALONG_TWO_AXES = 90;
 
   /** The same if an edit before each frame empties the cache. */
-  private static final int MAX_RATIO_OF_EDITED_ALONG_TWO_AXES = 80;
+  private static final int MAX_RATIO_OF_EDITED_ALONG_TWO_AXES = 230;
 
   private static final int CASES = 500;
   private static final int JUMPS = 8_000;
@@ -69,6 +75,7 @@ class FrameWorkTest {
       return MAX_RATIO_TO_A_SLIDE;
     }
     return switch (hand) {
+      case WorkStudy.HOSTILE -> MAX_RATIO_OF_HOSTILE;
       case WorkStudy.SLICES -> MAX_RATIO_AMONG_SLICES;
       case WorkStudy.EDITED_SLICES -> MAX_RATIO_AMONG_EDITED_SLICES;
       case WorkStudy.SLICES_ALONG_TWO_AXES -> MAX_RATIO_ALONG_TWO_AXES;

@@ -12,7 +12,8 @@ import org.palpate.volume.BitCube;
 
 /**
  * Counts the work of frames in units that are the same on every machine: a word of voxels read (64
- * voxels or 64 bricks), a path tried, a step up tested, a value of the smooth field. One thread.
+ * voxels or 64 bricks), a path tried, a step up tested, a value of the smooth field, a column that
+ * it interpolated. One thread.
  */
 final class WorkCounts {
   private final CountingCube bits;

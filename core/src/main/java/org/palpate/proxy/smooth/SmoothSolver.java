@@ -42,6 +42,7 @@ public final class SmoothSolver implements ProxySolver {
   private final GuardedSolver voxelSolver;
   private final RestRule restRule;
   private final SurfaceHeight surfaceHeight;
+  private final ReadAhead readAhead;
 
   private final SeedCell seed = new SeedCell();
 
@@ -52,6 +53,7 @@ public final class SmoothSolver implements ProxySolver {
   private boolean lastOnSurface;
 
   private long evaluationsBefore;
+  private long columnsBefore;
   private int voxelSteps;
   private CollisionScene scene;
   private Vec3 device;
@@ -104,6 +106,7 @@ public final class SmoothSolver implements ProxySolver {
     voxelSolver = new GuardedSolver(metric, maxStepMm);
     restRule = new RestRule(new Potential(field, units), units);
     surfaceHeight = new SurfaceHeight(field, units);
+    readAhead = new ReadAhead(field, units);
   }
 
   @Override
@@ -121,14 +124,15 @@ public final class SmoothSolver implements ProxySolver {
   }
 
   /**
-   * Returns the work of the last frame: evaluations of the field, segments that were cast, and
-   * steps of the voxel solver. Not included are columns that were interpolated between thick
-   * slices, and words of voxels that were read; a {@link org.palpate.volume.BitCube} can count the
-   * words.
+   * Returns the work of the last frame: evaluations of the field, columns that it interpolated,
+   * segments that were cast, and steps of the voxel solver. Not included are words of voxels that
+   * were read; a {@link org.palpate.volume.BitCube} can count them.
    */
   @Override
   public int steps() {
-    return (int) (field.sample().evaluation() - evaluationsBefore) + motion.casts() + voxelSteps;
+    long evaluations = field.sample().evaluation() - evaluationsBefore;
+    long columns = field.interpolatedColumns() - columnsBefore;
+    return (int) (evaluations + columns) + motion.casts() + voxelSteps;
   }
 
   @Override
@@ -157,6 +161,7 @@ public final class SmoothSolver implements ProxySolver {
     newPoint.limitsForceRate = true;
     motion.beginFrame(newScene, newPoint);
     evaluationsBefore = field.sample().evaluation();
+    columnsBefore = field.interpolatedColumns();
     voxelSteps = 0;
   }
 
@@ -219,5 +224,8 @@ public final class SmoothSolver implements ProxySolver {
       settledDevice.x = Double.NaN;
     }
     restRule.endFrame(device);
+    if (field.interpolatedColumns() == columnsBefore) {
+      readAhead.read(point.position);
+    }
   }
 }

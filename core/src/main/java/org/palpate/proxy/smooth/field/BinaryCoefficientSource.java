@@ -220,6 +220,11 @@ final class BinaryCoefficientSource implements CoefficientSource {
   }
 
   @Override
+  public long columns() {
+    return corrections.columns();
+  }
+
+  @Override
   public void forget() {
     corrections.forget();
     window.forget();

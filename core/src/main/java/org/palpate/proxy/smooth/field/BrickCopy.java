@@ -16,6 +16,9 @@ final class BrickCopy {
   private static final int BRICKS = 4;
   private static final int BRICK_EDGE = 4;
 
+  /** The number of bricks. */
+  private static final int COUNT = BRICKS * BRICKS * BRICKS;
+
   /** The cells that are left on an axis beside a window. */
   private static final int ROOM = EDGE - BinaryWindow.EDGE;
 
@@ -28,10 +31,10 @@ final class BrickCopy {
   private final BrickSource source;
 
   /** The bricks, x fastest. */
-  private long[] bricks = new long[BRICKS * BRICKS * BRICKS];
+  private long[] bricks = new long[COUNT];
 
   /** The bricks of the copy before this one. */
-  private long[] bricksBefore = new long[BRICKS * BRICKS * BRICKS];
+  private long[] bricksBefore = new long[COUNT];
 
   private final long[] words = new long[EDGE * BRICKS];
   private int lowX;
@@ -231,5 +234,63 @@ final class BrickCopy {
     bricks ^= swap ^ swap << 12;
     swap = (bricks ^ bricks >>> 24) & 0x0000_0000_FF00_FF00L;
     return bricks ^ swap ^ swap << 24;
+  }
+
+  /**
+   * Makes the bricks of a window that the field does not need yet, a few in each frame. A window in
+   * a new region may need hundreds of columns between slices, which would make a single frame long.
+   *
+   * <p>The source keeps the bricks that it makes, and answers are the same with and without them.
+   * Belongs to the haptic thread; allocates nothing.
+   */
+  static final class Ahead {
+    /** The columns after which a frame makes no more bricks: about 10 us of work. */
+    private static final int MAX_COLUMNS = 8;
+
+    /** The most bricks that a frame looks at. Most are made already, or have no surface. */
+    private static final int MAX_BRICKS = 8;
+
+    private final BrickSource cells;
+
+    /** The brick coordinates of the first brick of the copy that the window needs. */
+    private int lowX;
+
+    private int lowY;
+    private int lowZ;
+
+    /** The bricks of the copy that were made, in the order of their numbers. */
+    private int made = COUNT;
+
+    Ahead(BrickSource cells) {
+      this.cells = cells;
+    }
+
+    /** Begins anew, because the source has forgotten its bricks. */
+    void forget() {
+      made = 0;
+    }
+
+    /** Makes some bricks of the copy that holds the window around corner (x,y,z). */
+    void make(CollisionScene scene, int x, int y, int z) {
+      moveTo(brick(x), brick(y), brick(z));
+      long end = cells.columns() + MAX_COLUMNS;
+      for (int n = 0; n < MAX_BRICKS && made < COUNT && cells.columns() < end; n++) {
+        cells.brick(scene, lowX + (made & 3), lowY + (made >> 2 & 3), lowZ + (made >> 4));
+        made++;
+      }
+    }
+
+    private static int brick(int corner) {
+      return centred(corner - BinaryWindow.TO_MIDDLE) >> 2;
+    }
+
+    private void moveTo(int x, int y, int z) {
+      if (x != lowX || y != lowY || z != lowZ) {
+        lowX = x;
+        lowY = y;
+        lowZ = z;
+        made = 0;
+      }
+    }
   }
 }

@@ -32,6 +32,14 @@ interface BrickSource {
     return (brick >>> ((z & 3) << 4 | (y & 3) << 2 | (x & 3)) & 1) != 0;
   }
 
+  /**
+   * Returns how many columns were interpolated so far between slices to make bricks; 0 if the
+   * source makes none. Bricks that are still cached take no such work.
+   */
+  default long columns() {
+    return 0;
+  }
+
   /** Forgets all cached bits. */
   void forget();
 

@@ -74,6 +74,9 @@ final class CellCorrections {
      */
     boolean counts(BinaryWindow window, int x, int y, int z);
 
+    /** Returns how many columns were interpolated so far, for corrections or for bits. */
+    long columns();
+
     /** Forgets all corrections. */
     void forget();
   }
@@ -144,6 +147,15 @@ final class CellCorrections {
     for (Source source : sources) {
       source.forget();
     }
+  }
+
+  /** Returns how many columns the sources have interpolated so far. */
+  long columns() {
+    long columns = 0;
+    for (Source source : sources) {
+      columns += source.columns();
+    }
+    return columns;
   }
 
   /** Reads the corrections of the cells of the window as it was loaded last. */

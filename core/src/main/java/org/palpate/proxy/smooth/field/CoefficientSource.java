@@ -20,6 +20,9 @@ interface CoefficientSource {
   /** Whether the coefficients that were loaded last are surely the same for every seed cell. */
   boolean holdsForEverySeed();
 
+  /** Returns how many columns were interpolated so far between slices, or on terraces. */
+  long columns();
+
   /** Forgets all cached voxels. */
   void forget();
 

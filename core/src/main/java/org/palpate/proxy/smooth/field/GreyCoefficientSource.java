@@ -32,6 +32,7 @@ final class GreyCoefficientSource implements CoefficientSource {
 
   private final SmoothingKernel kernel;
   private final GreyOccupancyCache cache;
+  private final BrickSource cells;
   private final BinaryWindow window;
 
   private final double scale;
@@ -49,11 +50,17 @@ final class GreyCoefficientSource implements CoefficientSource {
    * Creates a source over the cells of a grid.
    *
    * @param kernel the smoothing of these cells
-   * @param window the bits of these cells
+   * @param cells the bits of these cells
+   * @param window a window of them
    */
   GreyCoefficientSource(
-      SmoothingKernel kernel, ThinGrid grid, BinaryWindow window, GreyIsosurfaceSource grey) {
+      SmoothingKernel kernel,
+      ThinGrid grid,
+      BrickSource cells,
+      BinaryWindow window,
+      GreyIsosurfaceSource grey) {
     this.kernel = kernel;
+    this.cells = cells;
     this.window = window;
     cache = cache(grid, grey);
     scale = kernel.scale() / GreyOccupancyCache.WHOLE;
@@ -160,6 +167,11 @@ final class GreyCoefficientSource implements CoefficientSource {
   @Override
   public boolean holdsForEverySeed() {
     return window.holdsForEverySeed();
+  }
+
+  @Override
+  public long columns() {
+    return cells.columns();
   }
 
   @Override

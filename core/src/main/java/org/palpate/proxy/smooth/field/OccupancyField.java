@@ -25,6 +25,9 @@ import org.palpate.geometry.Vec3;
  * with its flood fill if the nearest corner is another one than before.
  */
 public final class OccupancyField {
+  /** The greatest coordinate at which the field can be evaluated. */
+  private static final double FARTHEST = 1e8;
+
   private static final int COEFFICIENTS = 27;
 
   /**
@@ -38,6 +41,7 @@ public final class OccupancyField {
 
   private final BrickSource cells;
   private final CoefficientSource source;
+  private final BrickCopy.Ahead bricksAhead;
   private final IsoLevel level;
   private final FieldSample sample;
   private final double cellsX;
@@ -79,6 +83,7 @@ public final class OccupancyField {
       double maxDeviations) {
     this.cells = cells;
     this.source = source;
+    bricksAhead = new BrickCopy.Ahead(cells);
     cellsX = grid.perVoxel(0);
     cellsY = grid.perVoxel(1);
     cellsZ = grid.perVoxel(2);
@@ -93,6 +98,7 @@ public final class OccupancyField {
   private OccupancyField(OccupancyField field) {
     cells = field.cells;
     source = new KeptCoefficients(field.source);
+    bricksAhead = field.bricksAhead;
     cellsX = field.cellsX;
     cellsY = field.cellsY;
     cellsZ = field.cellsZ;
@@ -170,7 +176,7 @@ public final class OccupancyField {
     return new OccupancyField(
         grid,
         cells,
-        new GreyCoefficientSource(kernel, grid, window, grey),
+        new GreyCoefficientSource(kernel, grid, cells, window, grey),
         edges,
         MAX_DEVIATIONS_OF_GREY);
   }
@@ -207,6 +213,7 @@ public final class OccupancyField {
   public void forget() {
     loaded = false;
     source.forget();
+    bricksAhead.forget();
   }
 
   /** {@return the isosurface that samples refer to} */
@@ -228,6 +235,36 @@ public final class OccupancyField {
   }
 
   /**
+   * {@return how many columns were interpolated so far between thick slices, or on wide terraces}
+   * Each takes several times as long as an evaluation.
+   */
+  public long interpolatedColumns() {
+    return source.columns();
+  }
+
+  /** {@return whether the field interpolates cells between slices, so that reading ahead helps} */
+  public boolean interpolatesSlices() {
+    return cells != BrickSource.VOXELS;
+  }
+
+  /**
+   * Reads a little of the voxels around a point that may be evaluated later. No answer changes.
+   * Cost: at most a few bricks, or some columns between slices.
+   *
+   * @param point grid coordinates; beyond {@link #FARTHEST} nothing is read
+   */
+  public void readAhead(Vec3 point) {
+    double farthest = Math.max(Math.abs(point.x), Math.max(Math.abs(point.y), Math.abs(point.z)));
+    if (farthest <= FARTHEST) {
+      bricksAhead.make(
+          scene,
+          (int) Math.floor(cellsX * point.x + 0.5),
+          (int) Math.floor(cellsY * point.y + 0.5),
+          (int) Math.floor(cellsZ * point.z + 0.5));
+    }
+  }
+
+  /**
    * {@return whether a point lies in a solid cell} Cells are voxels, or thin slices of long voxels,
    * which may be solid within an empty voxel.
    *
@@ -246,7 +283,7 @@ public final class OccupancyField {
    *
    * @param seed the cell from which empty space is reached; if it is solid or outside the window,
    *     all empty voxels count as reached
-   * @param point where to evaluate, grid coordinates, at most 1e9 from 0
+   * @param point where to evaluate, grid coordinates, at most {@link #FARTHEST}
    * @return the sample that this field owns; the next evaluation overwrites it
    */
   public FieldSample evaluate(SeedCell seed, Vec3 point) {
@@ -407,6 +444,11 @@ public final class OccupancyField {
     @Override
     public boolean holdsForEverySeed() {
       return isTaken[last] && forEverySeed[last];
+    }
+
+    @Override
+    public long columns() {
+      return source.columns();
     }
 
     @Override

@@ -48,6 +48,9 @@ final class Terraces implements CellCorrections.Source {
 
   private final CellCorrections.Slots slots = new CellCorrections.Slots(keys.slots());
 
+  /** The columns that were interpolated so far. */
+  private long columns;
+
   /**
    * Creates the corrections of the cells of a grid.
    *
@@ -65,6 +68,11 @@ final class Terraces implements CellCorrections.Source {
         axes[count++] = new Axis(axis, cells, cellEdges);
       }
     }
+  }
+
+  @Override
+  public long columns() {
+    return columns;
   }
 
   @Override
@@ -143,6 +151,7 @@ final class Terraces implements CellCorrections.Source {
    */
   private void correct(Axis axis, int u, int v, int layer, int step, int slot) {
     axis.findHeights(u, v, layer - step, step);
+    columns += Axis.CORNER_COLUMNS;
     for (int column = 0; column < ShapeInterpolation.COLUMNS; column++) {
       int correction = CellCorrections.inFractions(axis.heights[column] - 0.5);
       if (correction != 0) {
@@ -156,6 +165,9 @@ final class Terraces implements CellCorrections.Source {
   private static final class Axis {
     /** The columns at the corners of a tile. */
     private static final int CORNERS = 1 | 1 << LAST | 1 << (4 * LAST) | 1 << (5 * LAST);
+
+    /** The number of these columns. */
+    private static final int CORNER_COLUMNS = 4;
 
     private final int number;
 

@@ -49,6 +49,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   private static final int MAX_REACH_BRICKS_OF_SECOND = 3;
 
   private final AxisCut cut;
+  private final BrickSource source;
   private final CellPairs pairs;
   private final SliceBits slices;
   private final ShapeInterpolation interpolation;
@@ -71,6 +72,9 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   /** The corrections of each brick. */
   private final CellCorrections.Slots slots = new CellCorrections.Slots(brickKeys.slots());
 
+  /** The columns that this cut has interpolated so far. */
+  private long columns;
+
   /**
    * Creates the thin slices of one cut.
    *
@@ -80,6 +84,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
    */
   private ThinSlices(AxisCut cut, BrickSource source, Vec3 edges, int maxReachBricks) {
     this.cut = cut;
+    this.source = source;
     pairs = new CellPairs(cut);
     slices = new SliceBits(source, cut.axis());
     int reach = reach(cut, maxReachBricks);
@@ -109,6 +114,12 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   /** Returns the reach of searches for the outline of a cut's slices, in shortest voxel edges. */
   private static int reach(AxisCut cut, int maxBricks) {
     return 4 * Math.min(maxBricks, (int) Math.ceil(REACH_BRICKS_PER_CELL * cut.perVoxel()));
+  }
+
+  /** Returns the columns that this cut and earlier ones have interpolated so far. */
+  @Override
+  public long columns() {
+    return columns + source.columns();
   }
 
   @Override
@@ -229,6 +240,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     }
     int solidSlice = step > 0 ? pair : pair + 1;
     interpolation.findHeights(u, v, solidSlice, step, columns, heights);
+    this.columns += Integer.bitCount(columns);
     int first = cut.firstOfPair(pair);
     int cells = cut.firstOfPair(pair + 1) - first;
     for (int n = 0; n < cells; n++) {
