@@ -3,6 +3,9 @@ package org.palpate.host;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import org.palpate.proxy.reference.BorderVoxels;
+import org.palpate.proxy.reference.PrecalculatedBorderVoxels;
+import org.palpate.volume.VoxelGrid;
 
 /** The ways in which the solvers {@code dot} and {@code paper} find empty-space border voxels. */
 public enum BorderChoice {
@@ -14,6 +17,14 @@ public enum BorderChoice {
   /** Parses the name that {@link #toString} returns; empty if there is no such choice. */
   public static Optional<BorderChoice> parse(String name) {
     return Arrays.stream(values()).filter(choice -> choice.toString().equals(name)).findFirst();
+  }
+
+  /** Returns border voxels of a scene over a grid, which are found in this way. */
+  BorderVoxels newBorder(VoxelGrid grid) {
+    return switch (this) {
+      case ON_THE_FLY -> BorderVoxels.onTheFly();
+      case PRECALCULATED -> new PrecalculatedBorderVoxels(grid.sizeX(), grid.sizeY(), grid.sizeZ());
+    };
   }
 
   /** Returns the name on the command line. */

@@ -1,6 +1,10 @@
 package org.palpate.host;
 
 import java.util.Optional;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.raycast.GridPlanesRayCaster;
+import org.palpate.raycast.RayCaster;
+import org.palpate.raycast.SampledRayCaster;
 
 /**
  * Chooses how a path is tested for collisions.
@@ -27,7 +31,10 @@ public record CollisionChoice(Method method, double stepVoxels) {
     EXACT
   }
 
+  /** Decides exactly. */
   public static final CollisionChoice EXACT = new CollisionChoice(Method.EXACT, 0);
+
+  /** Samples where the segment crosses planes of the grid. */
   public static final CollisionChoice GRIDPLANES = new CollisionChoice(Method.GRIDPLANES, 0);
 
   /** Returns sampling at a distance in grid coordinates. */
@@ -60,6 +67,15 @@ public record CollisionChoice(Method method, double stepVoxels) {
     } catch (NumberFormatException e) {
       return Optional.empty();
     }
+  }
+
+  /** Returns a new ray caster by this method. */
+  RayCaster newCaster() {
+    return switch (method) {
+      case SAMPLED -> new SampledRayCaster(stepVoxels);
+      case GRIDPLANES -> new GridPlanesRayCaster();
+      case EXACT -> new ExactRayCaster();
+    };
   }
 
   /** Returns the text that {@link #parse} reads. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
@@ -42,19 +43,8 @@ import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.ProxySolver;
-import org.palpate.proxy.exact.GuardedSolver;
-import org.palpate.proxy.reference.BorderVoxels;
-import org.palpate.proxy.reference.CollisionOnlySolver;
-import org.palpate.proxy.reference.DotSolver;
-import org.palpate.proxy.reference.PaperSolver;
-import org.palpate.proxy.reference.PrecalculatedBorderVoxels;
-import org.palpate.proxy.smooth.SmoothSolver;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
-import org.palpate.raycast.ExactRayCaster;
-import org.palpate.raycast.GridPlanesRayCaster;
-import org.palpate.raycast.RayCaster;
-import org.palpate.raycast.SampledRayCaster;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
@@ -313,33 +303,7 @@ public final class ContactScene {
    * otherwise its own default.
    */
   public ProxySolver newSolver(SolverKind kind) {
-    CollisionChoice collision =
-        kind == settings.solver() ? settings.collision() : kind.defaultCollision();
-    return switch (kind) {
-      case GUARDED -> new GuardedSolver(metric, maxStepMm);
-      case SMOOTH ->
-          grey.map(values -> new SmoothSolver(metric, maxStepMm, values))
-              .orElseGet(() -> new SmoothSolver(metric, maxStepMm));
-      case DOT -> new DotSolver(newCaster(collision), metric, maxStepMm, newBorder());
-      case PAPER -> new PaperSolver(newCaster(collision), metric, maxStepMm, newBorder());
-      case NONE -> new CollisionOnlySolver(newCaster(collision), metric);
-    };
-  }
-
-  private BorderVoxels newBorder() {
-    VoxelGrid grid = volume.grid();
-    return switch (settings.border()) {
-      case ON_THE_FLY -> BorderVoxels.onTheFly();
-      case PRECALCULATED -> new PrecalculatedBorderVoxels(grid.sizeX(), grid.sizeY(), grid.sizeZ());
-    };
-  }
-
-  private static RayCaster newCaster(CollisionChoice collision) {
-    return switch (collision.method()) {
-      case SAMPLED -> new SampledRayCaster(collision.stepVoxels());
-      case GRIDPLANES -> new GridPlanesRayCaster();
-      case EXACT -> new ExactRayCaster();
-    };
+    return kind.newSolver(this);
   }
 
   /**
@@ -453,26 +417,30 @@ public final class ContactScene {
     return material(segment).cutNewton();
   }
 
-  /** Returns a frame for the warm-up, which applies no edits and publishes nothing. */
-  PointFrame newWarmUpFrame(GridDevice gridDevice, FrameSettings frame) {
+  /**
+   * Returns a frame for the warm-up, which applies no edits and publishes nothing.
+   *
+   * @param hand moves in world mm
+   * @param bodies makes elastic segments at rest, which the frame then updates too
+   */
+  PointFrame newWarmUpFrame(
+      HapticDevice hand, FrameSettings frame, Optional<Supplier<ElasticBody>> bodies) {
+    Optional<ElasticBody> body = bodies.map(Supplier::get);
+    HapticDevice updating =
+        body.<HapticDevice>map(soft -> new UpdatingDevice(hand, new SynchronousUpdates(soft)))
+            .orElse(hand);
     EditQueue none = new EditQueue(volume.grid(), volume.segments().size(), 1);
     PointFrame made =
         new PointFrame(
-            gridDevice, newSolver(), newCollisionScene(), metric, frame, none, FramePublisher.NONE);
+            GridDevice.fromWorld(updating, grid()),
+            newSolver(),
+            newCollisionScene(),
+            metric,
+            frame,
+            none,
+            FramePublisher.NONE);
     feel(made, frame);
-    return made;
-  }
-
-  /**
-   * Returns a frame for the warm-up of a session with elastic segments, which also updates them.
-   *
-   * @param hand moves in world mm
-   * @param body at rest, for the warm-up alone
-   */
-  PointFrame newWarmUpFrame(HapticDevice hand, FrameSettings frame, ElasticBody body) {
-    HapticDevice updating = new UpdatingDevice(hand, new SynchronousUpdates(body));
-    PointFrame made = newWarmUpFrame(GridDevice.fromWorld(updating, grid()), frame);
-    made.deform(body.contact());
+    body.ifPresent(soft -> made.deform(soft.contact()));
     return made;
   }
 

@@ -8,6 +8,7 @@ import org.palpate.edit.SwapEdit;
 import org.palpate.io.file.NumberText;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.scene.surface.GreyRange;
+import org.palpate.scene.window.WindowInput;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
@@ -74,6 +75,26 @@ public final class LiveThreshold implements AutoCloseable {
     threshold = next;
     requested.set(next);
     LockSupport.unpark(thread);
+  }
+
+  /**
+   * Adds the keys that lower and raise the threshold.
+   *
+   * @param refusal the reason why the threshold must not change, which the keys show; empty if it
+   *     may change
+   */
+  void addKeys(WindowInput input, String refusal, SessionOverlay overlay) {
+    input.onHeldKey('<', "lower threshold", () -> change(-1, refusal, overlay));
+    input.onHeldKey('>', "higher threshold", () -> change(1, refusal, overlay));
+  }
+
+  private void change(int steps, String refusal, SessionOverlay overlay) {
+    if (refusal.isEmpty()) {
+      change(steps);
+      overlay.invalidate();
+    } else {
+      overlay.hint(refusal);
+    }
   }
 
   /** Returns the line of the overlay. */

@@ -1,5 +1,6 @@
 package org.palpate.host;
 
+import java.util.Optional;
 import org.palpate.device.DeviceDecorator;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HandTarget;
@@ -32,6 +33,13 @@ public final class MouseTakeover extends DeviceDecorator {
   /** Returns the mouse. */
   MouseDevice mouse() {
     return mouse;
+  }
+
+  /** Returns the mouse as a device, if a device is one or may become one. */
+  static Optional<MouseDevice> mouseOf(HapticDevice device) {
+    return device instanceof MouseDevice mouse
+        ? Optional.of(mouse)
+        : device instanceof MouseTakeover takeover ? Optional.of(takeover.mouse) : Optional.empty();
   }
 
   /** Reads the hand, or the mouse once it has pressed. */

@@ -3,7 +3,6 @@ package org.palpate.host;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import org.palpate.body.Placement;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.geometry.IntBox;
@@ -121,7 +120,9 @@ public final class SessionView implements AutoCloseable {
     this.session = session;
     this.options = options;
     this.volume = volume;
-    solids = new DrawnSolids(volume, startPoses());
+    List<RigidTransform> starts =
+        session.held().map(held -> held.scene().startPoses()).orElse(List.of());
+    solids = new DrawnSolids(volume, starts);
     touched = new DrawnSolids.Probe(solids);
     this.device = device;
     this.listener = listener;
@@ -245,25 +246,17 @@ public final class SessionView implements AutoCloseable {
       input.onKey('e', "undo the last cut or placement", session::undo);
       input.onKey('y', "redo the last cut or placement", session::redo);
     }
-    mouse().ifPresent(mouse -> addMouse(input, mouse));
+    MouseTakeover.mouseOf(device).ifPresent(mouse -> addMouse(input, mouse));
     if (device instanceof WorkspaceDevice mapped) {
       input.onKey(
           ' ', "clutch: hold or release the point", () -> applyAndShow(() -> toggleClutch(mapped)));
     }
     slices.ifPresent(planes -> SliceKeys.add(input, planes, this::applyAndShow));
-    threshold.ifPresent(live -> addThresholdKeys(input, live));
+    threshold.ifPresent(
+        live -> live.addKeys(input, options.threshold().orElseThrow().refusal(), overlay));
     if (!volume.segments().isEmpty()) {
       input.addLegend();
     }
-  }
-
-  /** Returns the mouse as a device, if it is one or may become one. */
-  private Optional<MouseDevice> mouse() {
-    return device instanceof MouseDevice mouse
-        ? Optional.of(mouse)
-        : device instanceof MouseTakeover takeover
-            ? Optional.of(takeover.mouse())
-            : Optional.empty();
   }
 
   private void addMouse(WindowInput input, MouseDevice mouse) {
@@ -275,20 +268,6 @@ public final class SessionView implements AutoCloseable {
           WindowInput.DragKeys.CONTROL_AND_SHIFT,
           "turn the tool",
           (right, up) -> mouse.turn(model.camera().dragRotation(right, up, model.axes())));
-    }
-  }
-
-  private void addThresholdKeys(WindowInput input, LiveThreshold live) {
-    input.onHeldKey('<', "lower threshold", () -> changeThreshold(live, -1));
-    input.onHeldKey('>', "higher threshold", () -> changeThreshold(live, 1));
-  }
-
-  private void changeThreshold(LiveThreshold live, int steps) {
-    String refusal = options.threshold().map(ViewOptions.Threshold::refusal).orElse("");
-    if (refusal.isEmpty()) {
-      applyAndShow(() -> live.change(steps));
-    } else {
-      overlay.hint(refusal);
     }
   }
 
@@ -309,14 +288,6 @@ public final class SessionView implements AutoCloseable {
 
   private synchronized boolean isClosed() {
     return closed;
-  }
-
-  /** Returns the pose of each segment at the start; none if all stand at rest. */
-  private List<RigidTransform> startPoses() {
-    return session
-        .held()
-        .map(held -> Placement.transforms(held.scene().contactScene().placements()))
-        .orElse(List.of());
   }
 
   private SceneLoader startLoading() {

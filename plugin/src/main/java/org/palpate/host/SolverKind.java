@@ -3,6 +3,14 @@ package org.palpate.host;
 import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
+import org.palpate.geometry.GridMetric;
+import org.palpate.proxy.ProxySolver;
+import org.palpate.proxy.exact.GuardedSolver;
+import org.palpate.proxy.reference.BorderVoxels;
+import org.palpate.proxy.reference.CollisionOnlySolver;
+import org.palpate.proxy.reference.DotSolver;
+import org.palpate.proxy.reference.PaperSolver;
+import org.palpate.proxy.smooth.SmoothSolver;
 
 /** The algorithms that move the interaction point. */
 public enum SolverKind {
@@ -43,6 +51,33 @@ public enum SolverKind {
   /** Whether the solver looks for border voxels: empty ones beside solid ones. */
   public boolean usesBorderVoxels() {
     return this == DOT || this == PAPER;
+  }
+
+  /**
+   * Returns a new solver for a scene. It uses the collision method of the settings if it is of
+   * their kind, otherwise its own default.
+   */
+  ProxySolver newSolver(ContactScene scene) {
+    ContactSettings settings = scene.settings();
+    CollisionChoice collision =
+        this == settings.solver() ? settings.collision() : defaultCollision();
+    GridMetric metric = scene.metric();
+    double maxStepMm = scene.maxStepMm();
+    return switch (this) {
+      case GUARDED -> new GuardedSolver(metric, maxStepMm);
+      case SMOOTH ->
+          scene
+              .greySource()
+              .map(values -> new SmoothSolver(metric, maxStepMm, values))
+              .orElseGet(() -> new SmoothSolver(metric, maxStepMm));
+      case DOT -> new DotSolver(collision.newCaster(), metric, maxStepMm, newBorder(scene));
+      case PAPER -> new PaperSolver(collision.newCaster(), metric, maxStepMm, newBorder(scene));
+      case NONE -> new CollisionOnlySolver(collision.newCaster(), metric);
+    };
+  }
+
+  private static BorderVoxels newBorder(ContactScene scene) {
+    return scene.settings().border().newBorder(scene.grid());
   }
 
   /** Returns the name on the command line. */

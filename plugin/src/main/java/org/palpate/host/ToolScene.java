@@ -7,6 +7,7 @@ import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
+import org.palpate.body.Placement;
 import org.palpate.collision.CollisionDevice;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
@@ -199,6 +200,11 @@ public final class ToolScene {
   /** Returns the settings for the frames of a live session; see {@link ContactScene#liveFrame}. */
   public FrameSettings liveFrame(DeviceSpecification device, double defaultNewtonPerMm) {
     return scene.liveFrame(device, force(defaultNewtonPerMm));
+  }
+
+  /** Returns the pose of each body at the start, a new list; empty if all stand at rest. */
+  List<RigidTransform> startPoses() {
+    return Placement.transforms(scene.placements());
   }
 
   /**

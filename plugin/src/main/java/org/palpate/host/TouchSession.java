@@ -4,9 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Supplier;
-import org.palpate.body.Placement;
 import org.palpate.device.DeviceSpecification;
-import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.Edit;
@@ -120,7 +118,8 @@ public final class TouchSession implements AutoCloseable {
     grid = scene.grid();
     edits = scene.edits();
     cuts = scene.carve().isPresent();
-    Runnable warmUp = warmUp(scene, frameSettings, settings);
+    HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, scene.handTarget(), WarmUp.PERIOD_NANOS);
+    Runnable warmUp = warmUp(scene.newWarmUpFrame(hand, frameSettings, settings.elastic()));
     elastic = settings.elastic().map(Supplier::get);
     long sampleNanos = Math.max(settings.loop().periodNanos(), specification.reportIntervalNanos());
     elastic.ifPresent(body -> frame.deform(body.contact().paced(sampleNanos)));
@@ -193,19 +192,6 @@ public final class TouchSession implements AutoCloseable {
               }
             });
     return new HapticLoop(frame, settings.loop().withWarmUp(warmUp), settings.listener());
-  }
-
-  private static Runnable warmUp(
-      ContactScene scene, FrameSettings frameSettings, SessionSettings settings) {
-    HandTarget target = scene.handTarget();
-    HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, target, WarmUp.PERIOD_NANOS);
-    return warmUp(
-        settings
-            .elastic()
-            .map(bodies -> scene.newWarmUpFrame(hand, frameSettings, bodies.get()))
-            .orElseGet(
-                () ->
-                    scene.newWarmUpFrame(GridDevice.fromWorld(hand, scene.grid()), frameSettings)));
   }
 
   private static Runnable warmUp(HapticFrame frame) {
@@ -307,7 +293,7 @@ public final class TouchSession implements AutoCloseable {
       return List.of();
     }
     HeldTool tool = held.get();
-    List<RigidTransform> poses = Placement.transforms(tool.scene().contactScene().placements());
+    List<RigidTransform> poses = tool.scene().startPoses();
     for (int n = 0; n < poses.size(); n++) {
       poses.set(n, tool.publisher().bodyPose(n).orElse(poses.get(n)));
     }
