@@ -1,6 +1,8 @@
 package org.palpate.recording;
 
+import java.util.function.LongSupplier;
 import org.palpate.body.BodyEvent;
+import org.palpate.body.BodyListener;
 import org.palpate.geometry.Pose;
 
 /**
@@ -36,6 +38,15 @@ public final class BodyRecorder {
      * @param inHand the pose of the body's reference point relative to the device; not to be kept
      */
     void accept(long sample, int body, BodyEvent event, Pose pose, Pose inHand);
+  }
+
+  /**
+   * {@return a listener that adds each event} Its thread is that of {@link #offer}.
+   *
+   * @param sample the number of the device sample with which a replay repeats the present event
+   */
+  public BodyListener listener(LongSupplier sample) {
+    return (body, event, pose, inHand) -> offer(sample.getAsLong(), body, event, pose, inHand);
   }
 
   /**

@@ -121,7 +121,8 @@ public final class FieldRecorder {
    *
    * <p>A field is used after its update was added, so uses are counted first.
    *
-   * @param sink receives each update with the frame that first used it
+   * @param sink receives each update with the frame that first used it, or with {@link
+   *     RecordedUpdate#UNUSED}
    */
   public void drainTo(Consumer<RecordedUpdate> sink) {
     int used = uses.available();

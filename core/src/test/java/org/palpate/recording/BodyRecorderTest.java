@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.BodyEvent;
+import org.palpate.body.BodyListener;
 import org.palpate.geometry.Pose;
 import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
@@ -32,6 +33,21 @@ class BodyRecorderTest {
         (sample, body, event, pose, inHand) ->
             got.add(new Event(sample, body, event, new Pose().set(pose), new Pose().set(inHand))));
     return got;
+  }
+
+  @Test
+  void aListenerAddsEachEventWithTheSampleOfItsMoment() {
+    long[] sample = {7};
+    BodyListener listener = recorder.listener(() -> sample[0]);
+    Pose pose = Pose.at(1, 2, 3);
+    Pose inHand = Pose.at(4, 5, 6);
+    listener.accept(2, BodyEvent.TAKEN, pose, inHand);
+    sample[0] = 8;
+    listener.accept(3, BodyEvent.MOVED, inHand, pose);
+    List<Event> got = drain();
+    assertEquals(2, got.size());
+    assertTrue(new Event(7, 2, BodyEvent.TAKEN, pose, inHand).isSame(got.get(0)));
+    assertTrue(new Event(8, 3, BodyEvent.MOVED, inHand, pose).isSame(got.get(1)));
   }
 
   @Test

@@ -14,7 +14,12 @@ public enum BorderChoice {
   /** A border voxel is calculated once and kept until the next edit. */
   PRECALCULATED;
 
-  /** Parses the name that {@link #toString} returns; empty if there is no such choice. */
+  /**
+   * Parses the name that {@link #toString} returns.
+   *
+   * @param name the text of a user
+   * @return the choice; empty if there is none of this name
+   */
   public static Optional<BorderChoice> parse(String name) {
     return Arrays.stream(values()).filter(choice -> choice.toString().equals(name)).findFirst();
   }

@@ -37,14 +37,20 @@ public record CollisionChoice(Method method, double stepVoxels) {
   /** Samples where the segment crosses planes of the grid. */
   public static final CollisionChoice GRIDPLANES = new CollisionChoice(Method.GRIDPLANES, 0);
 
-  /** Returns sampling at a distance in grid coordinates. */
+  /**
+   * {@return sampling at a distance in grid coordinates}
+   *
+   * @param stepVoxels the distance between samples, positive
+   */
   public static CollisionChoice sampled(double stepVoxels) {
     return new CollisionChoice(Method.SAMPLED, stepVoxels);
   }
 
   /**
-   * Returns the choice that {@code sampled:STEP}, {@code gridplanes} or {@code exact} names; empty
-   * if the text is none of them. STEP is a number from 0.001 to 1000.
+   * {@return the choice that {@code sampled:STEP}, {@code gridplanes} or {@code exact} names; empty
+   * if the text is none of them} STEP is a number from 0.001 to 1000.
+   *
+   * @param text the text of a user
    */
   public static Optional<CollisionChoice> parse(String text) {
     if (text.equals("exact")) {

@@ -81,6 +81,7 @@ public final class ContactScene {
    * Creates a scene of bits alone.
    *
    * @param volume the segments; once a session runs, its haptic thread alone changes their bits
+   * @param settings solver, materials and limits
    */
   public ContactScene(SegmentedVolume volume, ContactSettings settings) {
     this(volume, settings, Optional.empty());
@@ -90,6 +91,7 @@ public final class ContactScene {
    * Creates a scene with the grey values from which its one segment was made.
    *
    * @param volume the segments; once a session runs, its haptic thread alone changes their bits
+   * @param settings solver, materials and limits
    * @param grey the isosurface for {@link SolverKind#SMOOTH}; if empty, the solver uses the bits
    */
   public ContactScene(
@@ -104,6 +106,7 @@ public final class ContactScene {
    * @param volume the segments at rest; once a session runs, its haptic thread alone changes their
    *     bits
    * @param placements the placement of each segment, in their order; none if all stand at rest
+   * @param settings solver, materials and limits
    * @param grey the isosurface for {@link SolverKind#SMOOTH}; if empty, the solver uses the bits
    */
   public ContactScene(
@@ -139,7 +142,7 @@ public final class ContactScene {
   }
 
   /**
-   * Returns how near the frames of this scene came to each protected segment. One whose
+   * {@return how near the frames of this scene came to each protected segment} One whose
    * neighbourhood is too large to keep is missing.
    */
   public List<NearestApproach> approaches() {
@@ -159,39 +162,39 @@ public final class ContactScene {
   }
 
   /**
-   * Returns the grid of the volume, which converts between world and grid coordinates. Positions of
-   * the point and the tool are published in it, although bodies may have grids of their own.
+   * {@return the grid of the volume, which converts between world and grid coordinates} Positions
+   * of the point and the tool are published in it, although bodies may have grids of their own.
    */
   public VoxelGrid grid() {
     return volume.grid();
   }
 
-  /** Returns the volume with its segments. */
+  /** {@return the volume with its segments} */
   public SegmentedVolume volume() {
     return volume;
   }
 
-  /** Returns the settings that the scene was created with. */
+  /** {@return the settings that the scene was created with} */
   public ContactSettings settings() {
     return settings;
   }
 
-  /** Returns the voxels within the margins of protected segments, if there are any; not copied. */
+  /** {@return the voxels within the margins of protected segments, if there are any; not copied} */
   public Optional<BitCube> protectedVoxels() {
     return kept;
   }
 
-  /** Returns the metric of the grid, which measures lengths in millimetres. */
+  /** {@return the metric of the grid, which measures lengths in millimetres} */
   public GridMetric metric() {
     return metric;
   }
 
-  /** Returns w_max, the longest path of the interaction point in one frame, mm. */
+  /** {@return w_max, the longest path of the interaction point in one frame, mm} */
   public double maxStepMm() {
     return maxStepMm;
   }
 
-  /** Returns the grey isosurface that the smooth solver follows, if there is one. */
+  /** {@return the grey isosurface that the smooth solver follows, if there is one} */
   public Optional<GreyIsosurface> grey() {
     return grey.map(GreyIsosurfaceSource::now);
   }
@@ -199,6 +202,7 @@ public final class ContactScene {
   /**
    * Queues new grey values for the smooth solver. Any thread.
    *
+   * @param surface the new values, on the same grid
    * @return false if the queue of edits is full; then try again later
    * @throws IllegalStateException if the scene has no grey values
    */
@@ -211,12 +215,12 @@ public final class ContactScene {
     return edits.offer(new GreyEdit(0, live, surface));
   }
 
-  /** Returns the queue that takes changes of the segments while a session runs. Any thread. */
+  /** {@return the queue that takes changes of the segments while a session runs} Any thread. */
   public EditQueue edits() {
     return edits;
   }
 
-  /** Returns the region and surface points that a simulated hand presses, world mm. */
+  /** {@return the region and surface points that a simulated hand presses, world mm} */
   public HandTarget handTarget() {
     if (placements.isEmpty()) {
       return HandTargetFinder.of(volume);
@@ -231,13 +235,13 @@ public final class ContactScene {
     return grey;
   }
 
-  /** Returns new bodies; see {@link #newBodies(Set)}. */
+  /** {@return new bodies; see {@link #newBodies(Set)}} */
   public BodyScene newBodies() {
     return newBodies(Set.of());
   }
 
   /**
-   * Returns new bodies, one for each segment in their order, which share the segments' voxels.
+   * {@return new bodies, one for each segment in their order, which share the segments' voxels}
    *
    * @param movable the indices of those that can move; the others can move as the scene says
    */
@@ -268,7 +272,7 @@ public final class ContactScene {
     return settings.materials().getOrDefault(segment.name(), MaterialOverride.NONE);
   }
 
-  /** Returns the segments that a needle may enter, by their names; none without a needle. */
+  /** {@return the segments that a needle may enter, by their names; none without a needle} */
   public Map<String, NeedleTissue> tissues() {
     Map<String, NeedleTissue> found = new LinkedHashMap<>();
     for (Segment segment : volume.segments()) {
@@ -279,13 +283,13 @@ public final class ContactScene {
     return found;
   }
 
-  /** Returns the placement of each segment; empty if all stand at rest. */
+  /** {@return the placement of each segment; empty if all stand at rest} */
   public List<Placement> placements() {
     return placements;
   }
 
   /**
-   * Returns a new collision scene in which each segment is one object. If segments are protected,
+   * {@return a new collision scene in which each segment is one object} If segments are protected,
    * their margins are one more object, the last.
    */
   public CollisionScene newCollisionScene() {
@@ -293,30 +297,32 @@ public final class ContactScene {
         Stream.concat(volume.segments().stream().map(Segment::bits), kept.stream()).toList());
   }
 
-  /** Returns a new solver of the kind that the settings name. */
+  /** {@return a new solver of the kind that the settings name} */
   public ProxySolver newSolver() {
     return newSolver(settings.solver());
   }
 
   /**
-   * Returns a new solver. It uses the settings' collision method if it is of the settings' kind,
+   * {@return a new solver} It uses the settings' collision method if it is of the settings' kind,
    * otherwise its own default.
+   *
+   * @param kind the algorithm that moves the point
    */
   public ProxySolver newSolver(SolverKind kind) {
     return kind.newSolver(this);
   }
 
   /**
-   * Returns the stiffness for a device without a maximum of its own, N per mm of scan: 0.5 for
+   * {@return the stiffness for a device without a maximum of its own, N per mm of scan: 0.5 for
    * scenes from 32 mm to 1 m, more for smaller ones, so that these are felt as well, and less for
-   * larger ones.
+   * larger ones}
    */
   public double defaultStiffnessNewtonPerMm() {
     return ContactSettings.defaultStiffnessNewtonPerMm(grid());
   }
 
   /**
-   * Returns stiffness, friction and damping of each segment.
+   * {@return stiffness, friction and damping of each segment}
    *
    * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
    */
@@ -343,7 +349,7 @@ public final class ContactScene {
   }
 
   /**
-   * Returns the settings for the frames of a live session.
+   * {@return the settings for the frames of a live session}
    *
    * @param device the device, which limits the force unless the settings do
    * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
@@ -360,9 +366,10 @@ public final class ContactScene {
   }
 
   /**
-   * Returns a new frame over this scene that applies its queued edits.
+   * {@return a new frame over this scene that applies its queued edits}
    *
    * @param gridDevice the device, converted to the grid of the scene
+   * @param frame the settings of the frame
    * @param publisher receives the result of each frame on the haptic thread
    */
   public PointFrame newFrame(GridDevice gridDevice, FrameSettings frame, FramePublisher publisher) {

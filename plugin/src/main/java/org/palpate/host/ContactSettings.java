@@ -62,24 +62,34 @@ public record ContactSettings(
     protectedMm = Map.copyOf(protectedMm);
   }
 
-  /** Returns the default settings. */
+  /** {@return the default settings} */
   public static ContactSettings standard() {
     return standard(SolverKind.DEFAULT);
   }
 
-  /** Returns the default settings for a solver. */
+  /**
+   * {@return the default settings for a solver}
+   *
+   * @param solver moves the interaction point
+   */
   public static ContactSettings standard(SolverKind solver) {
     return builder(solver).build();
   }
 
-  /** Returns a builder of settings, which starts from the default settings for a solver. */
+  /**
+   * {@return a builder of settings, which starts from the default settings for a solver}
+   *
+   * @param solver moves the interaction point
+   */
   public static Builder builder(SolverKind solver) {
     return new Builder(solver);
   }
 
   /**
-   * Returns the default of w_max in mm: 8 times the shortest or 3 times the longest voxel edge,
-   * whichever is larger.
+   * {@return the default of w_max in mm: 8 times the shortest or 3 times the longest voxel edge,
+   * whichever is larger}
+   *
+   * @param spacingMm the edges of a voxel, mm
    */
   public static double defaultMaxStepMm(Vec3 spacingMm) {
     double shortest = Math.min(spacingMm.x, Math.min(spacingMm.y, spacingMm.z));
@@ -88,11 +98,13 @@ public record ContactSettings(
   }
 
   /**
-   * Returns the stiffness for a device without a maximum of its own, N per mm of scan.
+   * {@return the stiffness for a device without a maximum of its own, N per mm of scan}
    *
    * <p>Scenes from 32 mm to 1 m have 0.5 N/mm, and larger ones have less. A hand moves less far in
    * a smaller scene, so its stiffness grows. At 256 um it is 500 N/mm, and each voxel feels as it
    * does in the same scan at 256 mm.
+   *
+   * @param grid its longest edge is the size of the scene
    */
   public static double defaultStiffnessNewtonPerMm(VoxelGrid grid) {
     Vec3 spacing = grid.spacingMm();
@@ -130,78 +142,141 @@ public record ContactSettings(
       collision = solver.defaultCollision();
     }
 
-    /** Sets the collision method of a solver that lets the user choose. */
+    /**
+     * Sets the collision method of a solver that lets the user choose.
+     *
+     * @param method how a path is tested for collisions
+     * @return this builder
+     */
     public Builder collision(CollisionChoice method) {
       collision = method;
       return this;
     }
 
-    /** Sets the force per distance between device and interaction point, N per mm of scan. */
+    /**
+     * Sets the force per distance between device and interaction point.
+     *
+     * @param newtonPerMm the stiffness, N per mm of scan
+     * @return this builder
+     */
     public Builder stiffness(double newtonPerMm) {
       return stiffness(OptionalDouble.of(newtonPerMm));
     }
 
-    /** Sets the stiffness, N per mm of scan; empty for the default of scene and device. */
+    /**
+     * Sets the stiffness.
+     *
+     * @param newtonPerMm N per mm of scan; empty for the default of scene and device
+     * @return this builder
+     */
     public Builder stiffness(OptionalDouble newtonPerMm) {
       stiffnessNewtonPerMm = newtonPerMm;
       return this;
     }
 
-    /** Sets the friction coefficient, 0 or more. */
+    /**
+     * Sets the friction coefficient.
+     *
+     * @param coefficient the static mu, 0 or more
+     * @return this builder
+     */
     public Builder friction(double coefficient) {
       friction = coefficient;
       return this;
     }
 
-    /** Sets w_max, mm; empty for {@link #defaultMaxStepMm}. */
+    /**
+     * Sets w_max, the longest path of the point in one frame.
+     *
+     * @param mm the path, mm; empty for {@link #defaultMaxStepMm}
+     * @return this builder
+     */
     public Builder maxStep(OptionalDouble mm) {
       maxStepMm = mm;
       return this;
     }
 
-    /** Sets the largest force, N; empty for the device's maximum. */
+    /**
+     * Sets the largest force.
+     *
+     * @param newton the force, N; empty for the device's maximum
+     * @return this builder
+     */
     public Builder maxForce(OptionalDouble newton) {
       maxForceNewton = newton;
       return this;
     }
 
-    /** Sets the friction model. */
+    /**
+     * Sets the friction model.
+     *
+     * @param form the formula of friction
+     * @return this builder
+     */
     public Builder frictionForm(FrictionForm form) {
       frictionForm = form;
       return this;
     }
 
-    /** Sets overrides of stiffness, friction and damping by the name of a segment. */
+    /**
+     * Sets overrides of stiffness, friction and damping by the name of a segment.
+     *
+     * @param bySegment the override of each segment that has one, by its name; copied by {@link
+     *     #build}
+     * @return this builder
+     */
     public Builder materials(Map<String, MaterialOverride> bySegment) {
       materials = bySegment;
       return this;
     }
 
-    /** Sets the volume that the tool removes for each N s, mm^3; empty if it does not cut. */
+    /**
+     * Sets the rate at which the tool cuts.
+     *
+     * @param mm3PerNewtonSecond the volume removed for each N s, mm^3; empty if the tool does not
+     *     cut
+     * @return this builder
+     */
     public Builder carve(OptionalDouble mm3PerNewtonSecond) {
       carveMm3PerNewtonSecond = mm3PerNewtonSecond;
       return this;
     }
 
-    /** Sets margins around segments, by their names, that nothing cuts, mm. */
+    /**
+     * Sets margins around segments that nothing cuts.
+     *
+     * @param marginsMm the margin of each protected segment by its name, mm; copied by {@link
+     *     #build}
+     * @return this builder
+     */
     public Builder protect(Map<String, Double> marginsMm) {
       protectedMm = marginsMm;
       return this;
     }
 
-    /** Sets what the hand feels beside plain contact. */
+    /**
+     * Sets what the hand feels beside plain contact.
+     *
+     * @param chosen effects, mass and grey materials
+     * @return this builder
+     */
     public Builder feel(FeelSettings chosen) {
       feel = chosen;
       return this;
     }
 
-    /** Sets how the paper's solvers find border voxels. */
+    /**
+     * Sets how the paper's solvers find border voxels.
+     *
+     * @param choice when they are calculated
+     * @return this builder
+     */
     public Builder border(BorderChoice choice) {
       border = choice;
       return this;
     }
 
-    /** Returns the settings. */
+    /** {@return the settings} */
     public ContactSettings build() {
       return new ContactSettings(
           solver,

@@ -137,12 +137,12 @@ public final class ContactTuning {
     }
   }
 
-  /** Returns the kind of solver that the next frame runs; empty for a rigid tool. */
+  /** {@return the kind of solver that the next frame runs; empty for a rigid tool} */
   public synchronized Optional<SolverKind> solver() {
     return Optional.ofNullable(solver);
   }
 
-  /** Returns one line for the user: solver, stiffness and friction of the next frame. */
+  /** {@return one line for the user: solver, stiffness and friction of the next frame} */
   public synchronized String line() {
     return String.format(
         Locale.ROOT,
@@ -152,7 +152,7 @@ public final class ContactTuning {
         force.friction());
   }
 
-  /** Returns stiffness and friction of the next frame. */
+  /** {@return stiffness and friction of the next frame} */
   public synchronized ForceSettings force() {
     return force;
   }

@@ -27,7 +27,11 @@ public record DeviceName(String name, String id) {
   private static final String REPLAY = "replay";
   private static final long DEFAULT_SEED = 1;
 
-  /** Returns a text split at its first colon. Every text is accepted; see {@link #isKnown}. */
+  /**
+   * {@return a text split at its first colon} Every text is accepted; see {@link #isKnown}.
+   *
+   * @param text the text of a user
+   */
   public static DeviceName parse(String text) {
     int colon = text.indexOf(':');
     return colon < 0
@@ -35,38 +39,42 @@ public record DeviceName(String name, String id) {
         : new DeviceName(text.substring(0, colon), text.substring(colon + 1));
   }
 
-  /** Returns the name of a replay of a recorded trajectory. */
+  /**
+   * {@return the name of a replay of a recorded trajectory}
+   *
+   * @param trajectory the recorded file
+   */
   public static DeviceName ofReplay(Path trajectory) {
     return new DeviceName(REPLAY, trajectory.toString());
   }
 
-  /** Whether there is a back end of this name. */
+  /** {@return whether there is a back end of this name} */
   public boolean isKnown() {
     return isSimulated() || isMouse() || isReplay() || DeviceCatalog.isNative(name);
   }
 
-  /** Whether the device is a simulated hand. */
+  /** {@return whether the device is a simulated hand} */
   public boolean isSimulated() {
     return name.equals(SIMULATED);
   }
 
-  /** Whether the device is the mouse in the 3-D window. */
+  /** {@return whether the device is the mouse in the 3-D window} */
   public boolean isMouse() {
     return name.equals(MOUSE);
   }
 
-  /** Whether the device replays a recorded trajectory. */
+  /** {@return whether the device replays a recorded trajectory} */
   public boolean isReplay() {
     return name.equals(REPLAY);
   }
 
-  /** Whether a hand holds the device and feels its force. */
+  /** {@return whether a hand holds the device and feels its force} */
   public boolean isReal() {
     return !isSimulated() && !isMouse() && !isReplay();
   }
 
   /**
-   * Returns the seed of a simulated hand.
+   * {@return the seed of a simulated hand}
    *
    * @throws NumberFormatException if the id is not a whole number
    */
@@ -98,6 +106,9 @@ public record DeviceName(String name, String id) {
   /**
    * Opens the device for a rigid tool: as {@link #open} does, but a simulated hand turns too.
    *
+   * @param target the region that must be in reach
+   * @param periodNanos time between two samples of a simulated hand or the mouse
+   * @param fit maps the workspace of a real device to the world
    * @return the open device; the caller closes it
    * @throws DeviceException if a real device cannot be opened; the message gives the remedy
    * @throws IOException if the recorded trajectory cannot be read
@@ -121,7 +132,12 @@ public record DeviceName(String name, String id) {
     return new WorkspaceDevice(device, workspace, WorkspaceDevice.Controls.standard());
   }
 
-  /** Returns the stiffness to use in a scene if the user gives none, N per mm of scan. */
+  /**
+   * {@return the stiffness to use in a scene if the user gives none, N per mm of scan}
+   *
+   * @param opened the device that {@link #open} returned
+   * @param scene the scene, whose size decides for a device that no hand holds
+   */
   public double defaultStiffnessNewtonPerMm(HapticDevice opened, ContactScene scene) {
     return isReal()
         ? opened.specification().defaultStiffnessNewtonPerMm()

@@ -27,7 +27,11 @@ public final class HandTargetFinder {
 
   private HandTargetFinder() {}
 
-  /** Returns the target in world mm; the box of the whole grid if no voxel is solid. */
+  /**
+   * {@return the target in world mm; the box of the whole grid if no voxel is solid}
+   *
+   * @param volume the segments, on one grid
+   */
   public static HandTarget of(SegmentedVolume volume) {
     VoxelGrid grid = volume.grid();
     IntBox box = solidBox(volume);

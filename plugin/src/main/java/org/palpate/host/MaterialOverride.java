@@ -41,10 +41,11 @@ public record MaterialOverride(Map<String, Double> values) {
 
   /**
    * Parses any of the keys as in {@code stiffness:0.8,friction:0.3,sliding:0.2}, each at most once.
+   * A stiffness of 0 is allowed: the user does not feel such a segment.
    *
-   * <p>Returns empty if the text has another form, a number is out of its range, sliding exceeds
-   * friction, or a needle is to cut or rub without a puncture. A stiffness of 0 is allowed: the
-   * user does not feel such a segment.
+   * @param text the text of a user
+   * @return the override; empty if the text has another form, a number is out of its range, sliding
+   *     exceeds friction, or a needle is to cut or rub without a puncture
    */
   public static Optional<MaterialOverride> parse(String text) {
     Map<String, Double> read = new HashMap<>();
@@ -77,7 +78,9 @@ public record MaterialOverride(Map<String, Double> values) {
   }
 
   /**
-   * Whether a stiffness, N/mm, lies between {@link #LEAST_STIFFNESS} and {@link #MOST_STIFFNESS}.
+   * {@return whether a stiffness lies between {@link #LEAST_STIFFNESS} and {@link #MOST_STIFFNESS}}
+   *
+   * @param newtonPerMm the stiffness, N/mm
    */
   public static boolean isFeasibleStiffness(double newtonPerMm) {
     return newtonPerMm >= LEAST_STIFFNESS && newtonPerMm <= MOST_STIFFNESS;
@@ -96,7 +99,7 @@ public record MaterialOverride(Map<String, Double> values) {
     return value == null ? OptionalDouble.empty() : OptionalDouble.of(value);
   }
 
-  /** Returns the force below which a cutting tool meets a hard wall, N. */
+  /** {@return the force below which a cutting tool meets a hard wall, N} */
   public double cutNewton() {
     return values.getOrDefault("cut", 0.0);
   }
@@ -113,7 +116,7 @@ public record MaterialOverride(Map<String, Double> values) {
         : Optional.empty();
   }
 
-  /** Whether a needle may enter the segment. */
+  /** {@return whether a needle may enter the segment} */
   public boolean isPenetrable() {
     return values.containsKey("puncture");
   }

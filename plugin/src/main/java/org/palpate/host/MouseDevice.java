@@ -75,7 +75,11 @@ public final class MouseDevice implements HapticDevice {
     return middle;
   }
 
-  /** Sets the position that the device approaches, world mm. Any thread. */
+  /**
+   * Sets the position that the device approaches. Any thread.
+   *
+   * @param worldMm the position, world mm; copied
+   */
   public synchronized void moveTo(Vec3 worldMm) {
     Motion now = motion;
     motion = new Motion(now.jumps, now.from, new Pose().set(worldMm, now.target.rotation));

@@ -90,31 +90,45 @@ public final class ReplayRun {
     this.raw = raw;
   }
 
-  /** Returns a replay of a trajectory in world mm. */
+  /**
+   * {@return a replay of a trajectory in world mm}
+   *
+   * @param scene the segments and their contact settings
+   * @param trajectory the samples, world mm
+   */
   public static ReplayRun inWorld(ContactScene scene, Trajectory trajectory) {
     return new ReplayRun(
         scene, trajectory, true, false, EditSchedule.NONE, Optional.empty(), Optional.empty());
   }
 
-  /** Returns a replay of a trajectory in grid coordinates. */
+  /**
+   * {@return a replay of a trajectory in grid coordinates}
+   *
+   * @param scene the segments and their contact settings
+   * @param trajectory the samples, grid coordinates
+   */
   public static ReplayRun inGrid(ContactScene scene, Trajectory trajectory) {
     return new ReplayRun(
         scene, trajectory, false, false, EditSchedule.NONE, Optional.empty(), Optional.empty());
   }
 
-  /** Returns this replay in raw mode, which treats samples as a live session does. */
+  /** {@return this replay in raw mode, which treats samples as a live session does} */
   public ReplayRun inRawMode() {
     return new ReplayRun(scene, trajectory, world, true, edits, elastic, observer);
   }
 
-  /** Returns this replay with recorded changes of voxels; it uses up the schedule. */
+  /**
+   * {@return this replay with recorded changes of voxels; it uses up the schedule}
+   *
+   * @param recorded the changes of voxels, by frame
+   */
   public ReplayRun withEdits(EditSchedule recorded) {
     return new ReplayRun(scene, trajectory, world, raw, recorded, elastic, observer);
   }
 
   /**
-   * Returns this replay with elastic segments, which are updated every {@link
-   * SynchronousUpdates#FRAMES} frames of a millisecond.
+   * {@return this replay with elastic segments, which are updated every {@link
+   * SynchronousUpdates#FRAMES} frames of a millisecond}
    *
    * @param bodies makes a body at rest for each run
    */
@@ -123,9 +137,10 @@ public final class ReplayRun {
   }
 
   /**
-   * Returns this replay with elastic segments, which are updated as in a recorded session.
+   * {@return this replay with elastic segments, which are updated as in a recorded session}
    *
    * @param bodies makes a body at rest for each run
+   * @param recorded the updates of the session, in their order
    */
   public ReplayRun withElastic(Supplier<ElasticBody> bodies, List<RecordedUpdate> recorded) {
     return with(new Elastic(bodies, body -> new RecordedUpdates(body, recorded)::beforeFrame));
@@ -139,7 +154,11 @@ public final class ReplayRun {
     return new ReplayRun(scene, trajectory, world, raw, edits, Optional.of(segments), observer);
   }
 
-  /** Returns this replay with somebody who receives what frames did, if given. */
+  /**
+   * {@return this replay with somebody who receives what frames did, if given}
+   *
+   * @param newObserver receives the record of each frame; empty for nobody
+   */
   public ReplayRun withObserver(Optional<FrameObserver> newObserver) {
     return new ReplayRun(scene, trajectory, world, raw, edits, elastic, newObserver);
   }
@@ -147,6 +166,7 @@ public final class ReplayRun {
   /**
    * The result of a replay.
    *
+   * @param statistics of all frames
    * @param work in the units of {@link ProxySolver#steps}
    * @param elastic the elastic segments as the run left them, if there are any
    * @param mass the body that the point followed, if it had a mass
@@ -160,6 +180,7 @@ public final class ReplayRun {
   /**
    * Runs every frame once from a fresh start.
    *
+   * @param sink receives each frame after it ran
    * @return the statistics of all frames, and the state at the end
    * @throws IOException if the observer fails to write
    */

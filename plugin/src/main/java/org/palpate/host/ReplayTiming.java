@@ -31,6 +31,8 @@ public final class ReplayTiming {
   /**
    * Prepares a timing over the valid samples of a trajectory.
    *
+   * @param scene the segments and their contact settings
+   * @param trajectory the samples
    * @param world whether the trajectory is in world mm; otherwise in grid coordinates
    */
   public ReplayTiming(ContactScene scene, Trajectory trajectory, boolean world) {

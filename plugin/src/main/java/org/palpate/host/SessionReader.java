@@ -58,7 +58,11 @@ public final class SessionReader {
     properties.markApplied();
   }
 
-  /** Writes the pose of the device into the vectors of {@code dest}. */
+  /**
+   * Writes the pose of the device.
+   *
+   * @param dest its four vectors are overwritten
+   */
   public void device(RigidTransform dest) {
     if (tool.isPresent()) {
       tool.get().deviceToWorld().read(dest);
@@ -68,7 +72,11 @@ public final class SessionReader {
     }
   }
 
-  /** Writes the pose of the tool, or the position of the interaction point, into {@code dest}. */
+  /**
+   * Writes the pose of the tool, or the position of the interaction point.
+   *
+   * @param dest its four vectors are overwritten
+   */
   public void tool(RigidTransform dest) {
     if (tool.isPresent()) {
       tool.get().toolToWorld().read(dest);
@@ -83,24 +91,32 @@ public final class SessionReader {
     grid.gridToWorld(scratch, dest.origin());
   }
 
-  /** Writes the force on the hand, N, into {@code dest}. */
+  /**
+   * Writes the force on the hand.
+   *
+   * @param dest receives the force along the world's axes, N
+   */
   public void force(Vec3 dest) {
     properties.touch().force(scratch);
     grid.gridMmToWorld().rotate(scratch, dest);
   }
 
-  /** Writes the torque on the hand about the tool's reference point, N mm; zero for a point. */
+  /**
+   * Writes the torque on the hand about the tool's reference point; zero for a point.
+   *
+   * @param dest receives the torque along the world's axes, N mm
+   */
   public void torque(Vec3 dest) {
     dest.set(0, 0, 0);
     tool.ifPresent(publisher -> publisher.torqueNewtonMm().read(dest));
   }
 
-  /** Returns the poses of the bodies that can move; empty for a point. */
+  /** {@return the poses of the bodies that can move; empty for a point} */
   public List<BodyPose> bodies() {
     return tool.map(ToolPublisher::bodyPoses).orElse(List.of());
   }
 
-  /** Whether there is contact. */
+  /** {@return whether there is contact} */
   public boolean contact() {
     return properties.touch().contact();
   }

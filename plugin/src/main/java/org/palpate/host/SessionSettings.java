@@ -40,7 +40,7 @@ public record SessionSettings(
     Consumer<LoopEnd> listener) {
   private static final double USUAL_HERTZ = 1000;
 
-  /** Returns the default settings: 1,000 frames a second, no recorder and no listener. */
+  /** {@return the default settings: 1,000 frames a second, no recorder and no listener} */
   public static SessionSettings standard() {
     return new SessionSettings(
         OptionalDouble.empty(),
@@ -53,42 +53,75 @@ public record SessionSettings(
         end -> {});
   }
 
-  /** Returns a copy with the stiffness that is used if the scene's settings give none, N/mm. */
+  /**
+   * {@return a copy with the stiffness that is used if the scene's settings give none}
+   *
+   * @param newtonPerMm the stiffness, N per mm of scan
+   */
   public SessionSettings withDefaultStiffness(double newtonPerMm) {
     return copy(draft -> draft.defaultNewtonPerMm = OptionalDouble.of(newtonPerMm));
   }
 
-  /** Returns a copy with another pace and thread setup. */
+  /**
+   * {@return a copy with another pace and thread setup}
+   *
+   * @param newLoop pace, pacer and thread setup of the haptic thread
+   */
   public SessionSettings withLoop(LoopSettings newLoop) {
     return copy(draft -> draft.loop = newLoop);
   }
 
-  /** Returns a copy that records what the device sends, if a recorder is given. */
+  /**
+   * {@return a copy that records what the device sends, if a recorder is given}
+   *
+   * @param newRecorder receives the samples; empty to record nothing
+   */
   public SessionSettings withRecorder(Optional<SampleRecorder> newRecorder) {
     return copy(draft -> draft.recorder = newRecorder);
   }
 
-  /** Returns a copy that records changes of voxels, if a recorder is given. */
+  /**
+   * {@return a copy that records changes of voxels, if a recorder is given}
+   *
+   * @param newRecorder receives the changes; empty to record nothing
+   */
   public SessionSettings withEditRecorder(Optional<EditRecorder> newRecorder) {
     return copy(draft -> draft.editRecorder = newRecorder);
   }
 
-  /** Returns a copy that records poses of bodies, if a recorder is given. */
+  /**
+   * {@return a copy that records poses of bodies, if a recorder is given}
+   *
+   * @param newRecorder receives the poses; empty to record nothing
+   */
   public SessionSettings withBodyRecorder(Optional<BodyRecorder> newRecorder) {
     return copy(draft -> draft.bodyRecorder = newRecorder);
   }
 
-  /** Returns a copy that records updates of elastic segments, if a recorder is given. */
+  /**
+   * {@return a copy that records updates of elastic segments, if a recorder is given}
+   *
+   * @param newRecorder receives the updates; empty to record nothing
+   */
   public SessionSettings withFieldRecorder(Optional<FieldRecorder> newRecorder) {
     return copy(draft -> draft.fieldRecorder = newRecorder);
   }
 
-  /** Returns a copy with elastic segments, if they are given. */
+  /**
+   * {@return a copy with elastic segments, if they are given}
+   *
+   * @param bodies makes elastic segments at rest, for the session and for its warm-up; empty for
+   *     none
+   */
   public SessionSettings withElastic(Optional<Supplier<ElasticBody>> bodies) {
     return copy(draft -> draft.elastic = bodies);
   }
 
-  /** Returns a copy that reports the end of the loop, once, on the thread that ends it. */
+  /**
+   * {@return a copy that reports the end of the loop, once, on the thread that ends it}
+   *
+   * @param newListener receives how the loop ended
+   */
   public SessionSettings withListener(Consumer<LoopEnd> newListener) {
     return copy(draft -> draft.listener = newListener);
   }

@@ -38,7 +38,11 @@ import org.palpate.volume.SegmentedVolume;
 public final class SessionView implements AutoCloseable {
   /** Receives what a view reports. */
   public interface Listener {
-    /** Prints a line for the user. Any thread. */
+    /**
+     * Prints a line. Any thread.
+     *
+     * @param line one line for the user
+     */
     void print(String line);
 
     /** Ends the session: the user pressed Escape or closed the window. Any thread. */
@@ -47,6 +51,8 @@ public final class SessionView implements AutoCloseable {
     /**
      * Prepares a window that is about to be shown, for example by adding keys. On the thread that
      * opens it.
+     *
+     * @param window the window, which is not shown yet
      */
     default void opening(SceneWindow window) {}
   }
@@ -109,7 +115,16 @@ public final class SessionView implements AutoCloseable {
     this(session, volume, axes, device, listener, ViewOptions.PLAIN);
   }
 
-  /** Creates a view with further options; otherwise as the other constructor. */
+  /**
+   * Creates a view with further options; otherwise as the other constructor.
+   *
+   * @param session the session to show
+   * @param volume the drawn segments; their bits may be a copy of those that are touched
+   * @param axes orientation of the volume's world axes
+   * @param device the device of the session
+   * @param listener receives reports
+   * @param options grey values, planes, keys and the place of the picture
+   */
   public SessionView(
       TouchSession session,
       SegmentedVolume volume,
@@ -317,7 +332,11 @@ public final class SessionView implements AutoCloseable {
     withSurfaces(meshes -> meshes.remesh(segment, voxels));
   }
 
-  /** Changes the surfaces, if a window shows them. */
+  /**
+   * Changes the surfaces, if a window shows them.
+   *
+   * @param change runs on the calling thread, if a window shows surfaces
+   */
   public void withSurfaces(Consumer<SceneLoader> change) {
     SceneLoader meshes = loader;
     if (meshes != null) {
@@ -325,33 +344,45 @@ public final class SessionView implements AutoCloseable {
     }
   }
 
-  /** Shows these landmarks and no others; positions in world mm. */
+  /**
+   * Shows landmarks and no others.
+   *
+   * @param worldMm the landmarks, world mm; the list is copied
+   */
   public void showLandmarks(List<NamedPoint> worldMm) {
     landmarks = List.copyOf(worldMm);
     model.setLandmarks(worldMm);
   }
 
-  /** Returns the landmarks that are shown, world mm. */
+  /** {@return the landmarks that are shown, world mm} */
   public List<NamedPoint> landmarks() {
     return landmarks;
   }
 
-  /** Shows a line for a few seconds. */
+  /**
+   * Shows a line for a few seconds.
+   *
+   * @param text one line; empty to remove the last
+   */
   public void hint(String text) {
     overlay.hint(text);
   }
 
-  /** Shows further lines of text below the others. */
+  /**
+   * Shows further lines of text below the others.
+   *
+   * @param lines the lines, which replace those of the last call
+   */
   public void show(List<String> lines) {
     overlay.show(lines);
   }
 
-  /** Returns the pose of each body as it is drawn, from rest to present; none if all rest. */
+  /** {@return the pose of each body as it is drawn, from rest to present; none if all rest} */
   public List<RigidTransform> bodyPoses() {
     return solids.poses();
   }
 
-  /** Returns the interaction point of the last tick in grid coordinates; NaN before the first. */
+  /** {@return the interaction point of the last tick in grid coordinates; NaN before the first} */
   public Vec3 proxyGrid() {
     return new Vec3().set(proxyGrid);
   }
@@ -402,30 +433,32 @@ public final class SessionView implements AutoCloseable {
     return meshes == null ? 1 : meshes.progress();
   }
 
-  /** Returns the rate of the synchronization, Hz. */
+  /** {@return the rate of the synchronization, Hz} */
   public double rateHz() {
     return synchronization.rateHz();
   }
 
-  /** Returns when a surface was first shown, in milliseconds of the system clock; 0 if none was. */
+  /**
+   * {@return when a surface was first shown, in milliseconds of the system clock; 0 if none was}
+   */
   public long firstSurfaceMillis() {
     SceneWindow shown = window;
     return shown == null ? 0 : shown.firstSurfaceMillis();
   }
 
-  /** Returns the number of pictures drawn. */
+  /** {@return the number of pictures drawn} */
   public long redraws() {
     SceneWindow shown = window;
     return shown == null ? 0 : shown.redraws();
   }
 
-  /** Returns how often the picture of the static parts was reused; final after the session. */
+  /** {@return how often the picture of the static parts was reused; final after the session} */
   public long staticReused() {
     SceneWindow shown = window;
     return shown == null ? 0 : shown.staticReused();
   }
 
-  /** Returns how many surface bricks outside the view were not drawn; final after the session. */
+  /** {@return how many surface bricks outside the view were not drawn; final after the session} */
   public long culledBricks() {
     SceneWindow shown = window;
     return shown == null ? 0 : shown.culledBricks();

@@ -60,8 +60,8 @@ public final class SessionWorker {
   }
 
   /**
-   * Whether the process is ending. Others close the windows then, and nobody is left to read a
-   * message. Any thread.
+   * {@return whether the process is ending} Others close the windows then, and nobody is left to
+   * read a message. Any thread.
    */
   public static boolean isProcessEnding() {
     Thread probe = new Thread(() -> {});
@@ -74,7 +74,12 @@ public final class SessionWorker {
     }
   }
 
-  /** Waits for the end and returns whether it came in time. Any thread but the worker's own. */
+  /**
+   * Waits for the end. Any thread but the worker's own.
+   *
+   * @param millis the longest time to wait, ms
+   * @return whether the session ended in time
+   */
   public boolean await(long millis) {
     try {
       return ended.await(millis, TimeUnit.MILLISECONDS);

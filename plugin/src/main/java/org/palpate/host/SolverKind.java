@@ -28,27 +28,34 @@ public enum SolverKind {
   /** The default of every command and plug-in. */
   public static final SolverKind DEFAULT = SMOOTH;
 
-  /** Parses the name that {@link #toString} returns; empty if there is no such solver. */
+  /**
+   * Parses the name that {@link #toString} returns.
+   *
+   * @param name the text of a user
+   * @return the solver; empty if there is none of this name
+   */
   public static Optional<SolverKind> parse(String name) {
     return Arrays.stream(values()).filter(kind -> kind.toString().equals(name)).findFirst();
   }
 
-  /** Whether the user may choose the collision method; the other solvers are always exact. */
+  /**
+   * {@return whether the user may choose the collision method; the other solvers are always exact}
+   */
   public boolean choosesCollision() {
     return this == DOT || this == PAPER || this == NONE;
   }
 
-  /** Whether no leg of the interaction point can touch a solid. */
+  /** {@return whether no leg of the interaction point can touch a solid} */
   public boolean keepsGuarantee() {
     return !choosesCollision();
   }
 
-  /** Returns the collision method if the user chose none. */
+  /** {@return the collision method if the user chose none} */
   public CollisionChoice defaultCollision() {
     return this == DOT || this == PAPER ? CollisionChoice.sampled(1) : CollisionChoice.EXACT;
   }
 
-  /** Whether the solver looks for border voxels: empty ones beside solid ones. */
+  /** {@return whether the solver looks for border voxels: empty ones beside solid ones} */
   public boolean usesBorderVoxels() {
     return this == DOT || this == PAPER;
   }

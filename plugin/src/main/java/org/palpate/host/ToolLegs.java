@@ -41,7 +41,12 @@ public final class ToolLegs {
   /** The number of a leg at which the tool is set free and a new chain begins. */
   public static final int RELEASED = -1;
 
-  /** Makes a list for a tool among bodies. */
+  /**
+   * Makes a list for a tool among bodies.
+   *
+   * @param bodies the bodies, in the order of their indices
+   * @param tool the sample points of the tool
+   */
   public ToolLegs(BodyScene bodies, RigidTool tool) {
     this.bodies = bodies;
     this.tool = tool;
@@ -55,8 +60,10 @@ public final class ToolLegs {
    * Lists the legs of the last frame: by body, then by point, then in time. A point at rest
    * relative to a body has no leg.
    *
+   * @param motion the motion of the last frame
    * @param freed whether the tool was set free, so that each point begins with a release
    * @param every only points whose index is divisible by this, at least 1
+   * @param sink receives each leg
    * @throws IOException if the receiver fails to write a leg
    */
   public void list(ToolMotion motion, boolean freed, int every, LegSink sink) throws IOException {
@@ -123,8 +130,9 @@ public final class ToolLegs {
   }
 
   /**
-   * Returns the longest path of a point in the last frame, world mm.
+   * {@return the longest path of a point in the last frame, world mm}
    *
+   * @param motion the motion of the last frame
    * @param held the points of the tool, or of the body that is held
    */
   public double longestPathMm(ToolMotion motion, RigidTool held) {

@@ -55,6 +55,7 @@ public final class ToolReplay {
   /**
    * The result of a replay.
    *
+   * @param statistics of all frames
    * @param work in the units of {@link RigidSolver#work}
    * @param mostReduced the most points that kept less than their clearance in any frame
    * @param bodies what happened to bodies that move
@@ -78,6 +79,8 @@ public final class ToolReplay {
   /**
    * Creates a replay in which no body moves.
    *
+   * @param scene the tool among the bodies; one frame at a time uses it
+   * @param trajectory the samples, world mm
    * @param raw whether samples are treated as in a live session
    */
   public ToolReplay(ToolScene scene, Trajectory trajectory, boolean raw) {
@@ -87,6 +90,8 @@ public final class ToolReplay {
   /**
    * Creates a replay.
    *
+   * @param scene the tool among the bodies; one frame at a time uses it
+   * @param trajectory the samples, world mm
    * @param raw whether samples are treated as in a live session
    * @param edits recorded changes of voxels; the replay uses up the schedule
    * @param poses the poses that bodies approach, or what a recorded session did to them, in the
@@ -153,6 +158,7 @@ public final class ToolReplay {
   /**
    * Runs every frame once from a fresh start.
    *
+   * @param sink receives each frame after it ran
    * @return the statistics of all frames, and the state at the end
    * @throws IOException if the observer fails to write
    */
@@ -208,7 +214,11 @@ public final class ToolReplay {
         .count();
   }
 
-  /** Returns the indices of the bodies that move. */
+  /**
+   * {@return the indices of the bodies that move}
+   *
+   * @param poses what bodies approach, or what a recorded session did to them
+   */
   public static Set<Integer> movable(List<BodyPose> poses) {
     return poses.stream().map(BodyPose::body).collect(Collectors.toCollection(TreeSet::new));
   }

@@ -62,7 +62,16 @@ public final class ToolScene {
   /** Written by the thread that makes a frame. */
   private volatile Optional<MassiveTool> mass = Optional.empty();
 
-  /** Creates a scene in which no body moves. */
+  /**
+   * Creates a scene in which no body moves.
+   *
+   * @param scene the volume, its contact settings and its grey values
+   * @param bodies the bodies that {@link ContactScene#newBodies} returned
+   * @param tool the sample points of the tool
+   * @param clearances the clearance from each body
+   * @param rotationalStiffness torque per angle, N mm/rad; if empty, it follows from the radius of
+   *     the tool
+   */
   public ToolScene(
       ContactScene scene,
       BodyScene bodies,
@@ -84,6 +93,7 @@ public final class ToolScene {
    *
    * @param scene the volume, its contact settings and its grey values
    * @param bodies the bodies that {@link ContactScene#newBodies} returned
+   * @param tool the sample points of the tool
    * @param shapes the sample points of the bodies that move
    * @param clearances the clearance from each body
    * @param rotationalStiffness torque per angle, N mm/rad; if empty, the stiffness times the
@@ -115,24 +125,24 @@ public final class ToolScene {
     edits = EditQueue.ofBodies(bodies.grids());
   }
 
-  /** Returns the volume, its contact settings and its grey values. */
+  /** {@return the volume, its contact settings and its grey values} */
   public ContactScene contactScene() {
     return scene;
   }
 
-  /** Returns the bodies, in the order of the segments. */
+  /** {@return the bodies, in the order of the segments} */
   public BodyScene bodies() {
     return bodies;
   }
 
-  /** Returns the bodies where they stand, as segments of the grid of the volume. */
+  /** {@return the bodies where they stand, as segments of the grid of the volume} */
   public SegmentedVolume present() {
     List<Pose> poses =
         IntStream.range(0, bodies.count()).mapToObj(n -> bodies.body(n).pose()).toList();
     return PosedBits.resample(scene.volume(), poses, scene.grid());
   }
 
-  /** Whether a body can move. */
+  /** {@return whether a body can move} */
   public boolean hasMovableBodies() {
     return movableBodies().findAny().isPresent();
   }
@@ -148,12 +158,12 @@ public final class ToolScene {
     return movableBodies().filter(n -> bodies.body(n).name().equals(name)).findFirst();
   }
 
-  /** Returns the tool. */
+  /** {@return the tool} */
   public RigidTool tool() {
     return tool;
   }
 
-  /** Returns sample points of the tool that show its form, tool frame, mm. */
+  /** {@return sample points of the tool that show its form, tool frame, mm} */
   public List<Vec3> drawnPoints() {
     return points(ToolMarks.MOST_POINTS);
   }
@@ -170,13 +180,13 @@ public final class ToolScene {
     return solver;
   }
 
-  /** Returns the queue that takes changes of the bodies while a session runs. Any thread. */
+  /** {@return the queue that takes changes of the bodies while a session runs} Any thread. */
   public EditQueue edits() {
     return edits;
   }
 
   /**
-   * Returns the coupling of the tool.
+   * {@return the coupling of the tool}
    *
    * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
    */
@@ -197,7 +207,12 @@ public final class ToolScene {
     return scene.force(defaultNewtonPerMm, FrictionForm.CONE);
   }
 
-  /** Returns the settings for the frames of a live session; see {@link ContactScene#liveFrame}. */
+  /**
+   * {@return the settings for the frames of a live session; see {@link ContactScene#liveFrame}}
+   *
+   * @param device the device, which limits the force unless the settings do
+   * @param defaultNewtonPerMm stiffness if the settings give none, N per mm of scan
+   */
   public FrameSettings liveFrame(DeviceSpecification device, double defaultNewtonPerMm) {
     return scene.liveFrame(device, force(defaultNewtonPerMm));
   }
@@ -208,7 +223,7 @@ public final class ToolScene {
   }
 
   /**
-   * Returns the region and the points that a simulated hand presses with the tool, world mm. The
+   * {@return the region and the points that a simulated hand presses with the tool, world mm} The
    * points lie above the surface, so that the tool meets the surface about where the hand presses.
    * Their height is the distance from the tool's reference point to its nearest sample point.
    */
@@ -237,9 +252,11 @@ public final class ToolScene {
   }
 
   /**
-   * Returns a new frame that applies queued edits.
+   * {@return a new frame that applies queued edits}
    *
    * @param worldDevice delivers world mm and takes forces and torques along the world's axes
+   * @param frame the settings of the frame
+   * @param coupling the springs between device and tool
    * @param publisher receives the result of each frame on the haptic thread
    */
   public ToolFrame newFrame(
@@ -268,7 +285,7 @@ public final class ToolScene {
         .map(held -> new MassiveTool(tool, coupling, friction, held));
   }
 
-  /** Returns the mass of the tool in the last frame that was made; empty without one. */
+  /** {@return the mass of the tool in the last frame that was made; empty without one} */
   public Optional<MassiveTool> mass() {
     return mass;
   }
@@ -290,7 +307,7 @@ public final class ToolScene {
             coupling.stiffnessNewtonPerMm()));
   }
 
-  /** Returns the needle of the last frame that was made; empty without one. */
+  /** {@return the needle of the last frame that was made; empty without one} */
   public Optional<NeedleTrack> needle() {
     return needle;
   }

@@ -106,7 +106,9 @@ public final class TouchSession implements AutoCloseable {
   /**
    * Creates a session.
    *
+   * @param scene the volume and its contact settings; no other session uses it
    * @param worldDevice the device with positions in world mm; closed with the session
+   * @param settings pace, recorders, elastic segments and listener
    */
   public TouchSession(ContactScene scene, HapticDevice worldDevice, SessionSettings settings) {
     device = recorded(worldDevice, settings.recorder());
@@ -139,7 +141,9 @@ public final class TouchSession implements AutoCloseable {
   /**
    * Creates a session with a rigid tool. Otherwise as the other constructor.
    *
+   * @param scene the tool among bodies; no other session uses it meanwhile
    * @param worldDevice the device with poses in the world; closed with the session
+   * @param settings pace, recorders and listener
    */
   public TouchSession(ToolScene scene, HapticDevice worldDevice, SessionSettings settings) {
     device = recorded(worldDevice, settings.recorder());
@@ -154,11 +158,7 @@ public final class TouchSession implements AutoCloseable {
     ToolFrame frame = scene.newFrame(device, frameSettings, coupling, published(publisher));
     settings
         .bodyRecorder()
-        .ifPresent(
-            recorder ->
-                frame.listen(
-                    (body, event, pose, inHand) ->
-                        recorder.offer(frame.sampleOfChanges(), body, event, pose, inHand)));
+        .ifPresent(recorder -> frame.listen(recorder.listener(frame::sampleOfChanges)));
     tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
     HapticDevice hand =
         SimulatedDevice.withOrientation(WARM_UP_SEED, scene.handTarget(), WarmUp.PERIOD_NANOS);
@@ -220,7 +220,7 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Returns a second reader of the published frames, beside {@link #properties}. Call it once,
+   * {@return a second reader of the published frames, beside {@link #properties}} Call it once,
    * before {@link #start}.
    *
    * @throws IllegalStateException if it was called before or the session has started
@@ -247,13 +247,17 @@ public final class TouchSession implements AutoCloseable {
     return changes;
   }
 
-  /** Returns the shape of elastic segments, if any, to read with the properties; before start. */
+  /** {@return the shape of elastic segments, if any, to read with the properties; before start} */
   public Optional<PublishedShape> shape() {
     shape = elastic.map(body -> body.publish(properties.accumulator())).orElse(null);
     return Optional.ofNullable(shape);
   }
 
-  /** Sets who receives what frames did, on the haptic thread. Call it before {@link #start}. */
+  /**
+   * Sets the observer of frames. Call it before {@link #start}.
+   *
+   * @param observer receives what each frame did, on the haptic thread
+   */
   public void observe(FrameObserver observer) {
     frame.observe(observer);
   }
@@ -263,7 +267,7 @@ public final class TouchSession implements AutoCloseable {
     return cuts;
   }
 
-  /** Whether a body can be taken in hand. */
+  /** {@return whether a body can be taken in hand} */
   public boolean canHold() {
     return held.isPresent() && held.get().scene().hasMovableBodies();
   }
@@ -285,8 +289,9 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Returns the pose of each body in the last frame that was taken, from rest to present, world mm;
-   * a new list, empty for a point. For the reader of {@link #properties}, after the first frame.
+   * {@return the pose of each body in the last frame that was taken, from rest to present, world
+   * mm; a new list, empty for a point} For the reader of {@link #properties}, after the first
+   * frame.
    */
   public List<RigidTransform> bodyPoses() {
     if (held.isEmpty()) {
@@ -300,7 +305,7 @@ public final class TouchSession implements AutoCloseable {
     return poses;
   }
 
-  /** Returns the frame of the rigid tool, for its methods that are for any thread. */
+  /** {@return the frame of the rigid tool, for its methods that are for any thread} */
   public Optional<ToolFrame> toolFrame() {
     return held.map(HeldTool::frame);
   }
@@ -309,6 +314,7 @@ public final class TouchSession implements AutoCloseable {
    * Moves a body towards a pose from the next frame on, as {@link ToolFrame#requestPose} does. Any
    * thread.
    *
+   * @param name the name of the segment
    * @param restToPresent world mm
    * @return false if the scene has no body of this name that can move
    * @throws IllegalArgumentException if the pose is not finite or has no unit quaternion
@@ -329,7 +335,12 @@ public final class TouchSession implements AutoCloseable {
     return offer(HistoryEdit.undo());
   }
 
-  /** Redoes what was undone last, and returns false if it cannot yet, as {@link #undo} does. */
+  /**
+   * Redoes what was undone last, as soon as no earlier edit waits. Without one nothing happens. Any
+   * thread.
+   *
+   * @return false if the queue of edits is full; then try again later
+   */
   public boolean redo() {
     return offer(HistoryEdit.redo());
   }
@@ -337,6 +348,7 @@ public final class TouchSession implements AutoCloseable {
   /**
    * Queues an edit of the segments. Any thread.
    *
+   * @param edit a new edit, which nobody changes from now on
    * @return false if the queue of edits is full; then try again later
    */
   public boolean offer(Edit edit) {
@@ -379,24 +391,26 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Returns the reason for which updates of elastic segments failed to come at any time; empty if
-   * they always came. Meanwhile the last proved shape stays. Any thread.
+   * {@return the reason for which updates of elastic segments failed to come at any time; empty if
+   * they always came} Meanwhile the last proved shape stays. Any thread.
    */
   public Optional<String> elasticTrouble() {
     return Optional.ofNullable(elasticTrouble);
   }
 
-  /** Returns what an update of elastic segments threw, if one failed. Any thread. */
+  /** {@return what an update of elastic segments threw, if one failed} Any thread. */
   public Optional<Throwable> elasticFailure() {
     return elasticThread.flatMap(ElasticThread::failure);
   }
 
-  /** Whether the session ended because elastic segments were no longer updated. Any thread. */
+  /**
+   * {@return whether the session ended because elastic segments were no longer updated} Any thread.
+   */
   public boolean endedByTrouble() {
     return endedByTrouble;
   }
 
-  /** Returns the elastic segments, if there are any; their counters after {@link #stop}. */
+  /** {@return the elastic segments, if there are any; their counters after {@link #stop}} */
   public Optional<ElasticBody> elastic() {
     return elastic;
   }
@@ -412,7 +426,7 @@ public final class TouchSession implements AutoCloseable {
     properties.markApplied();
   }
 
-  /** Returns the tuning of stiffness, friction and solver. Any thread. */
+  /** {@return the tuning of stiffness, friction and solver} Any thread. */
   public ContactTuning tuning() {
     return tuning;
   }
@@ -423,37 +437,37 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Returns the most points of the tool that kept less than their clearance in any frame; complete
-   * after {@link #stop}, and 0 for a point.
+   * {@return the most points of the tool that kept less than their clearance in any frame; complete
+   * after {@link #stop}, and 0 for a point}
    */
   public int mostReducedPoints() {
     return held.map(tool -> tool.frame().mostReducedPoints()).orElse(0);
   }
 
-  /** Returns the body that an interaction point follows, if it has a mass; after {@link #stop}. */
+  /** {@return the body that an interaction point follows, if it has a mass; after {@link #stop}} */
   public Optional<MassiveContact> mass() {
     return mass;
   }
 
-  /** Returns the present state of the loop. Any thread. */
+  /** {@return the present state of the loop} Any thread. */
   public LoopStatus status() {
     return loop.status();
   }
 
   /**
-   * Returns what the frames publish. One reader: a view, or the caller of {@link #takeUpdates}, not
-   * both.
+   * {@return what the frames publish} It has one reader: a view, or the caller of {@link
+   * #takeUpdates}.
    */
   public TouchProperties properties() {
     return properties;
   }
 
-  /** Returns how often {@link #takeUpdates} was called. */
+  /** {@return how often {@link #takeUpdates} was called} */
   public long ticks() {
     return ticks;
   }
 
-  /** Returns how often properties were published and applied; complete after {@link #stop}. */
+  /** {@return how often properties were published and applied; complete after {@link #stop}} */
   public SyncCounters syncCounters() {
     return properties.accumulator().counters();
   }
@@ -469,7 +483,7 @@ public final class TouchSession implements AutoCloseable {
     return end;
   }
 
-  /** Returns the measurements; complete after {@link #stop}. */
+  /** {@return the measurements; complete after {@link #stop}} */
   public LoopReport report() {
     return loop.report();
   }

@@ -13,9 +13,11 @@ public final class TrajectoryFile {
   private TrajectoryFile() {}
 
   /**
-   * Reads all samples and returns them in their order.
+   * Reads all samples of a file in their order.
    *
+   * @param file a trajectory in the format of docs/formats.md
    * @param checked whether NaN, infinity and times that run backward are refused
+   * @return the samples, in the unit of the file
    * @throws IOException if the file is missing or not understood; the message names the line
    */
   public static Trajectory read(Path file, boolean checked) throws IOException {

@@ -104,6 +104,7 @@ public final class TrajectoryRecording implements AutoCloseable {
   /**
    * Starts a recording of samples alone.
    *
+   * @param target the file to write, which is replaced when the recording is finished
    * @throws IOException if the file cannot be created
    */
   public TrajectoryRecording(Path target) throws IOException {
@@ -115,6 +116,7 @@ public final class TrajectoryRecording implements AutoCloseable {
    * poses of bodies into {@code T.poses.csv}, and updates of elastic segments into {@code
    * T.fields.csv}, if there are any.
    *
+   * @param target the file to write, which is replaced when the recording is finished
    * @param segments names of the segments and bodies, in the order of their indices
    * @throws IOException if the file cannot be created
    */
@@ -155,17 +157,29 @@ public final class TrajectoryRecording implements AutoCloseable {
     fields.add(FieldsCsv::writer, rows -> FieldsCsv.add(rows, update));
   }
 
-  /** Returns the table of edits that belongs to a recording: {@code T.edits.csv}. */
+  /**
+   * {@return the table of edits that belongs to a recording: {@code T.edits.csv}}
+   *
+   * @param recording the file of the samples, {@code T.csv}
+   */
   public static Path editsFile(Path recording) {
     return table(recording, ".edits.csv");
   }
 
-  /** Returns the table of poses that belongs to a recording: {@code T.poses.csv}. */
+  /**
+   * {@return the table of poses that belongs to a recording: {@code T.poses.csv}}
+   *
+   * @param recording the file of the samples, {@code T.csv}
+   */
   public static Path posesFile(Path recording) {
     return table(recording, ".poses.csv");
   }
 
-  /** Returns the table of updates that belongs to a recording: {@code T.fields.csv}. */
+  /**
+   * {@return the table of updates that belongs to a recording: {@code T.fields.csv}}
+   *
+   * @param recording the file of the samples, {@code T.csv}
+   */
   public static Path fieldsFile(Path recording) {
     return table(recording, ".fields.csv");
   }
@@ -176,34 +190,34 @@ public final class TrajectoryRecording implements AutoCloseable {
     return recording.resolveSibling(stem + ending);
   }
 
-  /** Returns why the recording cannot be written, as far as is known. Any thread. */
+  /** {@return why the recording cannot be written, as far as is known} Any thread. */
   public Optional<IOException> failure() {
     return thread.failure() instanceof UncheckedIOException e
         ? Optional.of(e.getCause())
         : Optional.empty();
   }
 
-  /** Returns the file that the recording replaces when it is finished. */
+  /** {@return the file that the recording replaces when it is finished} */
   public Path target() {
     return target;
   }
 
-  /** Returns the recorder to give to a {@link TouchSession}. */
+  /** {@return the recorder to give to a {@link TouchSession}} */
   public SampleRecorder recorder() {
     return recorder;
   }
 
-  /** Returns the recorder of the changes of voxels, to give to a {@link TouchSession}. */
+  /** {@return the recorder of the changes of voxels, to give to a {@link TouchSession}} */
   public EditRecorder editRecorder() {
     return editRecorder;
   }
 
-  /** Returns the recorder of the poses of bodies, to give to a {@link TouchSession}. */
+  /** {@return the recorder of the poses of bodies, to give to a {@link TouchSession}} */
   public BodyRecorder bodyRecorder() {
     return bodyRecorder;
   }
 
-  /** Returns the recorder of updates of elastic segments, to give to a {@link TouchSession}. */
+  /** {@return the recorder of updates of elastic segments, to give to a {@link TouchSession}} */
   public FieldRecorder fieldRecorder() {
     return fieldRecorder;
   }

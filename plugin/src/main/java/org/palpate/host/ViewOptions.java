@@ -39,6 +39,8 @@ public record ViewOptions(
   /**
    * A segment whose threshold changes while it is touched.
    *
+   * @param scene the scene that touches the segment
+   * @param start the segment, its grey values and its first threshold
    * @param refusal the reason why the threshold must not change, which its keys show; empty if it
    *     may change
    */
@@ -61,7 +63,11 @@ public record ViewOptions(
     greys = List.copyOf(greys);
   }
 
-  /** Returns a copy that shows the view inside another program's window. */
+  /**
+   * {@return a copy that shows the view inside another program's window}
+   *
+   * @param component draws the view; the other program puts it into its window
+   */
   public ViewOptions in(ScenePanel component) {
     return new ViewOptions(
         greys,

@@ -12,14 +12,24 @@ import org.palpate.geometry.Vec3;
  */
 public record BodyAnchor(int body, Vec3 restMm) {
 
-  /** Returns the anchor of a point that lies on a body at present. */
+  /**
+   * {@return the anchor of a point that lies on a body at present}
+   *
+   * @param worldMm where the point is at present, world mm
+   * @param body the index of the body; if there is none, the point stays where it is
+   * @param poses the present pose of each body, from rest to present, world mm
+   */
   public static BodyAnchor at(Vec3 worldMm, int body, List<RigidTransform> poses) {
     return body < 0 || body >= poses.size()
         ? new BodyAnchor(-1, new Vec3().set(worldMm))
         : new BodyAnchor(body, poses.get(body).inverseTransform(worldMm, new Vec3()));
   }
 
-  /** Returns where the point is at present, world mm; a new vector. */
+  /**
+   * {@return where the point is at present, world mm; a new vector}
+   *
+   * @param poses the present pose of each body, from rest to present, world mm
+   */
   public Vec3 present(List<RigidTransform> poses) {
     return body < 0 ? new Vec3().set(restMm) : poses.get(body).transform(restMm, new Vec3());
   }

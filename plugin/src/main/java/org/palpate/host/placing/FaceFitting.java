@@ -28,6 +28,7 @@ public final class FaceFitting implements AutoCloseable {
   /**
    * Creates a fitting that does not run yet.
    *
+   * @param frame reports which body is in hand
    * @param fit belongs to the fitting from now on
    * @param exchange receives the fits; the effects of the frame take them from there
    */
@@ -43,7 +44,11 @@ public final class FaceFitting implements AutoCloseable {
     thread.start();
   }
 
-  /** Takes the present poses of all bodies, from rest to present. Any thread. */
+  /**
+   * Takes the present poses of all bodies, from rest to present. Any thread.
+   *
+   * @param poses the present pose of each body, world mm; not written any more
+   */
   public void see(List<RigidTransform> poses) {
     seen = poses;
   }

@@ -48,7 +48,11 @@ public final class GapColours {
     return new GapMap(fragments.grid(), fragments.segments().stream().map(Segment::bits).toList());
   }
 
-  /** Adds the key that shows or hides the colours, which need fragments of one grid. */
+  /**
+   * Adds the key that shows or hides the colours, which need fragments of one grid.
+   *
+   * @param input the keys of the window
+   */
   public void addTo(WindowInput input) {
     if (!fragments.hasOneGrid()) {
       return;
@@ -86,6 +90,8 @@ public final class GapColours {
   /**
    * Colours all fragments of a picture.
    *
+   * @param surfaces the drawn surfaces, one for each fragment
+   * @param fragments the fragments at rest, on one grid
    * @param poses the pose of each fragment, rest to present
    */
   public static void show(

@@ -42,10 +42,12 @@ public final class HeldReadings {
   }
 
   /**
-   * Returns a line for each fragment that one faces, and a line about its motion since the start.
+   * {@return a line for each fragment that one faces, and a line about its motion since the start}
    * If it did not start where it rests, there is a line about its distance from there, relative to
    * the largest fragment. Some hundred milliseconds for fragments of 10,000 voxels.
    *
+   * @param fragment the index of the fragment in hand
+   * @param poses the present pose of each fragment, from rest to present, world mm
    * @param groups fragments that move together with it are left out
    */
   public List<String> lines(int fragment, List<RigidTransform> poses, BodyGroups groups) {

@@ -31,7 +31,10 @@ public final class LiveReadings implements AutoCloseable {
   /**
    * Creates readings that are not shown yet.
    *
+   * @param frame knows the fragment in hand and the one that was touched last
+   * @param readings computes the lines
    * @param fragments the fragments at rest
+   * @param view shows them
    * @param further gives lines to show below, ten times a second
    */
   public LiveReadings(
@@ -48,7 +51,7 @@ public final class LiveReadings implements AutoCloseable {
     thread.setDaemon(true);
   }
 
-  /** Returns the colours of the gap. */
+  /** {@return the colours of the gap} */
   public GapColours colours() {
     return colours;
   }

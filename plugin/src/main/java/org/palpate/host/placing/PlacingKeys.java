@@ -20,6 +20,7 @@ public final class PlacingKeys {
   /**
    * Creates the keys of a session.
    *
+   * @param frame takes locks and groups
    * @param names the names of the bodies
    * @param hint shows a line to the user
    */
@@ -29,7 +30,11 @@ public final class PlacingKeys {
     this.hint = hint;
   }
 
-  /** Adds the keys to a window. */
+  /**
+   * Adds the keys to a window.
+   *
+   * @param input the keys of the window
+   */
   public void addTo(WindowInput input) {
     input.onKey('1', "attach the touched body to another; twice on one: detach it", this::bind);
     input.onKey('2', "lock the touched body, or unlock it", this::lock);

@@ -7,7 +7,11 @@ import org.palpate.io.file.NumberText;
 public final class ReadingText {
   private ReadingText() {}
 
-  /** Returns gap, step-off and contact of two fragments that face each other. */
+  /**
+   * {@return gap, step-off and contact of two fragments that face each other}
+   *
+   * @param r readings of two fragments that face each other
+   */
   public static String of(PairReadings r) {
     String step =
         Double.isNaN(r.stepOffMm())
