@@ -18,6 +18,7 @@ import org.palpate.force.EffectPlan;
 import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
 import org.palpate.force.GreyMaterials;
+import org.palpate.force.HandState;
 import org.palpate.force.HapticEffect;
 import org.palpate.force.guide.GuideStrength;
 import org.palpate.force.guide.Guides;
@@ -89,6 +90,75 @@ class EffectFramesTest {
     frame.requestEffects(List.of());
     run(frame, 300);
     assertEquals(0, device.lastForce().length());
+  }
+
+  /** A point has no orientation that a hand could hold it by. */
+  @Test
+  void aPointGetsNoTorqueFromAnEffectThatTurns() {
+    FrameSettings turning =
+        new FrameSettings(
+            ForceSettings.of(0.5, 0), INFINITE, INFINITE, 0, 20 * MS, 64, INFINITE, INFINITE);
+    PointFrame frame = floor.frame(device, turning);
+    frame.requestEffects(
+        List.of(
+            (hand, forceNewton, torqueNewtonMm) -> {
+              forceNewton.x += 1;
+              torqueNewtonMm.z += 5;
+            }));
+    run(frame, 1000);
+    assertEquals(1, device.lastForce().x, 1e-12);
+    assertEquals(0, device.lastTorque().length());
+  }
+
+  /** Notes what an effect learns. */
+  private static final class Witness implements HapticEffect {
+    private int resets;
+    private double fastestMmPerSecond;
+
+    @Override
+    public void add(HandState seen, Vec3 forceNewton, Vec3 torqueNewtonMm) {
+      fastestMmPerSecond = Math.max(fastestMmPerSecond, seen.velocityMmPerSecond.length());
+    }
+
+    @Override
+    public void reset() {
+      resets++;
+    }
+  }
+
+  @Test
+  void aJumpOfTheDeviceIsNoMotionOfTheHandAndEffectsBeginAnew() {
+    Witness witness = new Witness();
+    PointFrame frame = floor.frame(device);
+    frame.requestEffects(List.of(witness));
+    run(frame, 10);
+    int resets = witness.resets;
+    device.script =
+        (read, state) -> {
+          state.relocated = read == 10;
+          return fresh(state, read, 16, 16, 30);
+        };
+    run(frame, 10);
+    assertTrue(frame.point().position.z == 30 && frame.statistics().freed() == 1);
+    assertEquals(resets + 1, witness.resets);
+    assertEquals(0, witness.fastestMmPerSecond);
+    device.script = (read, state) -> fresh(state, read, 16, 16, 30 - 0.01 * (read - 20));
+    run(frame, 200);
+    assertEquals(10, witness.fastestMmPerSecond, 0.1, "0.01 mm in each millisecond");
+  }
+
+  @Test
+  void anObserverSeesThePressingForceWithoutThatOfEffects() {
+    PointFrame frame = floor.frame(device);
+    double[] pressing = {Double.NaN};
+    frame.observe(record -> pressing[0] = record.pressingNewton);
+    frame.requestEffects(made(axis()));
+    run(frame, 5);
+    assertEquals(0, pressing[0], "nothing is touched");
+    hand.set(16, 16, 6);
+    run(frame, 500);
+    assertEquals(0.5 * 2, pressing[0], 1e-5, "stiffness times depth");
+    assertEquals(Math.hypot(6 * STIFFNESS, 0.5 * 2), device.lastForce().length(), 1e-5);
   }
 
   @Test

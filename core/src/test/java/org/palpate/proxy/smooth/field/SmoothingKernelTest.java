@@ -32,8 +32,21 @@ class SmoothingKernelTest {
     assertEquals(1 / Math.pow(12, 3), kernel.scale(), 1e-20);
   }
 
+  /**
+   * On either side of the ratio at which two pairs of boxes are equally far from the wanted width.
+   */
   @ParameterizedTest
-  @CsvSource({"1, 6, 5", "1.2, 5, 4", "1.4, 4, 3", "2, 3, 2", "5, 2, 1"})
+  @CsvSource({
+    "1.09, 6, 5",
+    "1.10, 5, 4",
+    "1.355, 5, 4",
+    "1.365, 4, 3",
+    "1.78, 4, 3",
+    "1.79, 3, 2",
+    "2.54, 3, 2",
+    "2.55, 2, 1",
+    "9, 2, 1"
+  })
   void longerVoxelsGetNarrowerBoxes(double ratio, int wide, int narrow) {
     SmoothingKernel kernel = SmoothingKernel.forBits(new Vec3(1, ratio, 1));
     assertEquals(wide, kernel.wideBox(1));
