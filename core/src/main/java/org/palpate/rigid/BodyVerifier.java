@@ -1,6 +1,5 @@
 package org.palpate.rigid;
 
-import java.util.Arrays;
 import org.palpate.collision.EmptyBox;
 import org.palpate.collision.LegScreen;
 import org.palpate.geometry.AffineMap;
@@ -11,6 +10,8 @@ import org.palpate.geometry.Vec3;
 import org.palpate.raycast.ExactRayCaster;
 import org.palpate.raycast.Ray;
 import org.palpate.raycast.RayHit;
+import org.palpate.rigid.skip.HeightScreen;
+import org.palpate.rigid.skip.Odometer;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.SphereTree;
 import org.palpate.statistics.SkipCounters;
@@ -32,6 +33,7 @@ import org.palpate.volume.BitCube;
  *   <li>A point or a leaf, until its odometer has used up the empty cube that was found around it.
  *       Each committed motion adds the longest motion of any point along an axis.
  *   <li>A leg whose bounding box is empty.
+ *   <li>A node or a point that {@link HeightScreen} finds to stay above all solids around it.
  *   <li>A leg that {@link LegScreen} finds to be free, and the empty cube that it finds around the
  *       leg's start. Here the device is believed.
  * </ul>
@@ -48,9 +50,6 @@ final class BodyVerifier {
    */
   private static final double RELATIVE_ROUNDING = 0x1p-49;
 
-  /** The odometer is reset here, before its own rounding could matter. */
-  private static final double LONGEST_ODOMETER = 1 << 20;
-
   /** The mover that carries the sample points. */
   final Mover points;
 
@@ -61,6 +60,9 @@ final class BodyVerifier {
 
   /** Finds free legs of the highest level. */
   final LegScreen screen;
+
+  /** Finds points that stay above all solids around them. */
+  final HeightScreen heights;
 
   /** The maps from the points' frame to the body's grid at the committed and the proposed poses. */
   private final AffineMap from = new AffineMap();
@@ -86,9 +88,7 @@ final class BodyVerifier {
 
   private long solidSeen;
 
-  private double odometer;
-  private final double[] freeUntil;
-  private final double[] leafFreeUntil;
+  private final Odometer odometer;
 
   /** The longest motion of any point along an axis by the proposal, cells, rounded up. */
   private double travel;
@@ -129,9 +129,9 @@ final class BodyVerifier {
     highest = levels.highest;
     inverseCellMm = 1 / levels.cellMm;
     level = new byte[tool.count()];
-    freeUntil = new double[tool.count()];
-    leafFreeUntil = new double[tree.leaves()];
+    odometer = new Odometer(tool.count(), tree.leaves());
     screen = new LegScreen(levels.onDevice.newBatch(tool));
+    heights = new HeightScreen(tool, levels.cubes[highest], levels.cellMm(highest));
     enclosure = new EnclosureCheck(this);
     editsSeen = levels.body.edits();
   }
@@ -195,14 +195,8 @@ final class BodyVerifier {
       reducedCount += free < highest ? 1 : 0;
     }
     takeProposal();
-    resetOdometer();
+    odometer.reset();
     return true;
-  }
-
-  private void resetOdometer() {
-    odometer = 0;
-    Arrays.fill(freeUntil, -1);
-    Arrays.fill(leafFreeUntil, -1);
   }
 
   /** Returns the box of the voxels that the last call of {@link #takeEdits} found to be edited. */
@@ -221,7 +215,7 @@ final class BodyVerifier {
     editsSeen = edits;
     levels.takeEdits();
     catchUp();
-    resetOdometer();
+    odometer.reset();
     if (edited.isEmpty()) {
       return Mover.EditOutcome.FREE;
     }
@@ -296,11 +290,8 @@ final class BodyVerifier {
    * nothing else has moved, or it takes over what was committed while the two were far apart.
    */
   void commit() {
-    odometer += travel;
+    odometer.add(travel);
     takeProposal();
-    if (odometer > LONGEST_ODOMETER) {
-      resetOdometer();
-    }
   }
 
   private void takeProposal() {
@@ -327,7 +318,9 @@ final class BodyVerifier {
     }
     long before = looked;
     screen.begin(cellsFrom, cellsTo, levels.body.edits());
+    heights.begin(cellsFrom, cellsTo, roundingCells, levels.body.edits());
     boolean free = isTreeFree(firstOnly, hits);
+    heights.end();
     screen.end(looked - before, free || !(firstOnly || hits.isFull()));
     return free;
   }
@@ -335,10 +328,11 @@ final class BodyVerifier {
   private boolean isTreeFree(boolean firstOnly, LegHits hits) {
     int before = hits.count();
     int node = 0;
+    int aboveUntil = 0; // the node after those that stay above all solids around them
     while (node < tree.nodes()) {
       boolean isLeaf = tree.isLeaf(node);
       if (isLeaf && arcs == null) {
-        testLeaf(node, hits);
+        testLeaf(node, node < aboveUntil, hits);
         if (hits.count() > before && (firstOnly || hits.isFull())) {
           return false;
         }
@@ -348,6 +342,9 @@ final class BodyVerifier {
       } else if (isLeaf) {
         return false;
       } else {
+        if (skips && node >= aboveUntil && heights.isAbove(node)) {
+          aboveUntil = tree.skip(node);
+        }
         node++;
       }
     }
@@ -374,26 +371,29 @@ final class BodyVerifier {
     return levels.clearance.at(x, y, z) > needed;
   }
 
-  private void testLeaf(int node, LegHits hits) {
+  private void testLeaf(int node, boolean isAbove, LegHits hits) {
     int end = tree.end(node);
     int leaf = tree.leaf(node);
     tested += end - tree.first(node);
-    double reach = odometer + travel;
-    if (skips && (reach <= leafFreeUntil[leaf] || isLeafInEmptySpace(node, leaf))) {
+    if (isAbove) {
+      return;
+    }
+    if (skips
+        && (odometer.isLeafFree(leaf, travel)
+            || isLeafInEmptySpace(node, leaf)
+            || heights.isAbove(node))) {
       return;
     }
     int firstHit = hits.count();
-    double until = Double.POSITIVE_INFINITY;
     for (int n = tree.first(node); n < end; n++) {
-      if (!(skips && reach <= freeUntil[n])) {
+      if (!(skips && (odometer.isPointFree(n, travel) || heights.isPointAbove(n)))) {
         testLeg(n, hits);
         if (hits.count() > firstHit + 1) {
           hits.keepEarliestFrom(firstHit);
         }
       }
-      until = Math.min(until, freeUntil[n]);
     }
-    leafFreeUntil[leaf] = until;
+    odometer.setLeafFreeByPoints(leaf, tree.first(node), end);
   }
 
   /**
@@ -409,7 +409,7 @@ final class BodyVerifier {
     if (empty <= travel) {
       return false;
     }
-    leafFreeUntil[leaf] = odometer + empty;
+    odometer.setLeafFree(leaf, empty);
     return true;
   }
 
@@ -417,7 +417,7 @@ final class BodyVerifier {
   boolean isPointFree(int n, LegHits hits) {
     tested++;
     int before = hits.count();
-    if (!(skips && odometer + travel <= freeUntil[n])) {
+    if (!(skips && odometer.isPointFree(n, travel))) {
       testLeg(n, hits);
     }
     return hits.count() == before;
@@ -433,7 +433,7 @@ final class BodyVerifier {
       return;
     }
     if (screen.isFree(n)) {
-      freeUntil[n] = odometer + screen.emptyAround(n) - roundingCells;
+      odometer.setPointFree(n, screen.emptyAround(n) - roundingCells);
       return;
     }
     double x = cellsFrom.x(a, b, c);
@@ -441,7 +441,7 @@ final class BodyVerifier {
     double z = cellsFrom.z(a, b, c);
     BitCube cube = levels.cubes[highest];
     double empty = skips ? levels.emptyAround(x, y, z) - roundingCells : 0;
-    freeUntil[n] = odometer + empty;
+    odometer.setPointFree(n, empty);
     if (empty >= travel) {
       return;
     }
@@ -460,7 +460,7 @@ final class BodyVerifier {
     ray.from(position.x, position.y, position.z);
     levels.inCells(tool.point(n, position), to, at, position);
     ray.to(position.x, position.y, position.z);
-    freeUntil[n] = -1;
+    odometer.forgetPoint(n);
     cast(n, at, ray, hits);
   }
 
@@ -468,7 +468,7 @@ final class BodyVerifier {
     if (!caster.cast(levels.cubes[atLevel], leg, hit)) {
       return;
     }
-    freeUntil[n] = -1;
+    odometer.forgetPoint(n);
     hits.add(n, hit.t);
     if (hit.axis != RayHit.NO_AXIS) {
       hits.setFace(leg, hit, levels.cellMm(atLevel, hit.axis));
@@ -490,8 +490,8 @@ final class BodyVerifier {
       if (now < highest
           && !levels.touches(tool.point(raiseNext, position), from, now + 1, caster)) {
         level[raiseNext]++;
-        freeUntil[raiseNext] = -1;
-        leafFreeUntil[tree.leafOfPoint(raiseNext)] = -1;
+        odometer.forgetPoint(raiseNext);
+        odometer.forgetLeaf(tree.leafOfPoint(raiseNext));
         reducedCount -= now + 1 == highest ? 1 : 0;
       }
     }

@@ -95,6 +95,11 @@ final class ClearanceLevels {
     return level == 0 ? body.grid().spacingMm().get(axis) : grown[level].cellMm(axis);
   }
 
+  /** Returns the edges of a cell of a level, mm. */
+  Vec3 cellMm(int level) {
+    return new Vec3(cellMm(level, 0), cellMm(level, 1), cellMm(level, 2));
+  }
+
   private int pad(int level) {
     return level == 0 ? 0 : grown[level].padVoxels();
   }

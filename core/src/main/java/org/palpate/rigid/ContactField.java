@@ -105,6 +105,9 @@ final class ContactField {
       heightMm += lowest.sub(at, at).dot(up);
       at.set(lowest);
     }
+    if (found) {
+      pair.heights.suggest(gradient);
+    }
     return found;
   }
 

@@ -72,6 +72,7 @@ class MoverVerifierTest {
     assertTrue(slow.place(start, false));
     Pose before = new Pose().set(start);
     for (int step = 0; step < steps; step++) {
+      suggestNormals(quick, scene);
       Pose candidate = candidate(quick.pose(), scene, step);
       boolean free = check(quick, slow, naive, candidate);
       if (free) {
@@ -89,6 +90,18 @@ class MoverVerifierTest {
       }
       freeCount += free ? 1 : 0;
       blockedCount += free ? 0 : 1;
+    }
+  }
+
+  /** Suggests normals as contacts do, of which some are along an axis. */
+  private void suggestNormals(MoverVerifier verifier, BodyScene scene) {
+    for (int b = 0; b < scene.count(); b++) {
+      Vec3 normal = RandomGeometry.vector(random, 1);
+      if (random.nextBoolean()) {
+        normal.set(0, 0, 0);
+        normal.set(random.nextInt(3), random.nextBoolean() ? 1 : -1);
+      }
+      verifier.pair(b).heights.suggest(normal.mul(1 / normal.length(), normal));
     }
   }
 

@@ -22,6 +22,9 @@ public final class SphereTree {
   private final double[] x;
   private final double[] y;
   private final double[] z;
+  private final double[] halfX;
+  private final double[] halfY;
+  private final double[] halfZ;
   private final double[] radius;
   private final int[] skip;
   private final int[] first;
@@ -37,6 +40,9 @@ public final class SphereTree {
     x = new double[nodes];
     y = new double[nodes];
     z = new double[nodes];
+    halfX = new double[nodes];
+    halfY = new double[nodes];
+    halfZ = new double[nodes];
     radius = new double[nodes];
     skip = new int[nodes];
     first = new int[nodes];
@@ -98,6 +104,33 @@ public final class SphereTree {
    */
   public double radius(int node) {
     return radius[node];
+  }
+
+  /**
+   * {@return half the extent along x of the box around a node's points, mm; see {@link #x}}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
+  public double halfX(int node) {
+    return halfX[node];
+  }
+
+  /**
+   * {@return half the extent along y of that box, mm}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
+  public double halfY(int node) {
+    return halfY[node];
+  }
+
+  /**
+   * {@return half the extent along z of that box, mm}
+   *
+   * @param node the number of the node, from 0 to {@link #nodes} - 1
+   */
+  public double halfZ(int node) {
+    return halfZ[node];
   }
 
   /**
@@ -177,6 +210,9 @@ public final class SphereTree {
       double sizeX = bound(px, from, to, x, node);
       double sizeY = bound(py, from, to, y, node);
       double sizeZ = bound(pz, from, to, z, node);
+      halfX[node] = 0.5 * sizeX * ROUNDED_UP;
+      halfY[node] = 0.5 * sizeY * ROUNDED_UP;
+      halfZ[node] = 0.5 * sizeZ * ROUNDED_UP;
       radius[node] = farthest(node, from, to);
       if (to - from <= LEAF_POINTS) {
         first[node] = from;
