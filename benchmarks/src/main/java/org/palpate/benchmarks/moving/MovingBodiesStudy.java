@@ -75,6 +75,19 @@ public final class MovingBodiesStudy {
       long compared,
       long overlapping) {
 
+    private String progress() {
+      return frames
+          + " frames of moving bodies, "
+          + legs
+          + " legs judged, "
+          + touching
+          + " touch, "
+          + broken
+          + " chains broken, "
+          + overlapping
+          + " voxels overlap";
+    }
+
     private Result plus(Result o) {
       return new Result(
           frames + o.frames,
@@ -113,7 +126,7 @@ public final class MovingBodiesStudy {
       total = total.plus(attack(round % 2 == 1));
       if (total.frames - reported > frames / 10) {
         reported = total.frames;
-        progress.accept(total.legs + " legs of moving bodies judged");
+        progress.accept(total.progress());
       }
     }
     return total;
