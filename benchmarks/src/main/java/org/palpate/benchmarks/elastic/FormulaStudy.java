@@ -2,14 +2,14 @@ package org.palpate.benchmarks.elastic;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.palpate.benchmarks.rigid.RigidFigure;
 import org.palpate.elastic.lattice.BeamVariants;
 import org.palpate.elastic.lattice.DiscVariants;
 
 /**
  * Compares elements and lattices with formulas: beams with Timoshenko's, a disc with that of
- * Boussinesq for a rigid disc on a half space. A figure is the deviation in percent.
+ * Boussinesq for a rigid disc on a half space. It also compares a fine window below a disc with a
+ * whole fine lattice. A figure is the deviation in percent.
  */
 final class FormulaStudy {
   private static final String STUDY = "formula";
@@ -23,6 +23,10 @@ final class FormulaStudy {
   private static final double BEAM_TARGET = 3;
   private static final double PLATE_TARGET = 20;
   private static final double DISC_TARGET = 10;
+  private static final double WINDOW_TARGET = 5;
+
+  /** The edge of a cell below a disc, mm. */
+  private static final double CELL = 8;
 
   private final boolean quick;
 
@@ -47,11 +51,11 @@ final class FormulaStudy {
       double found = BeamVariants.ofVoxels((int) LENGTH, (int) WIDTH, 2, cell, POISSON);
       figures.add(deviation(inAir(cell), PLATE, found / beam(2), PLATE_TARGET));
     }
-    for (double radius = 8; radius <= 16; radius *= 2) {
-      double found = DiscVariants.depth(CUBE, radius, 8, POISSON);
-      String condition = String.format(Locale.ROOT, "cells of 8 mm, radius %.0f mm", radius);
-      figures.add(deviation(condition, "disc on a half space", found / disc(radius), DISC_TARGET));
+    for (int cells = 1; cells <= (quick ? 2 : 4); cells *= 2) {
+      figures.add(disc(cells));
     }
+    figures.add(window(2));
+    figures.add(window(3));
     return figures;
   }
 
@@ -73,14 +77,43 @@ final class FormulaStudy {
   }
 
   /**
-   * Returns the depth of a rigid disc on a half space of 1 N/mm^2, mm/N, less the displacement that
-   * a point force makes in the depth of the floor, which holds the cube.
+   * Compares the depth of a rigid disc with (1 - nu^2) / (2 a) for 1 N/mm^2, mm/N. A cube is no
+   * half space. What its sides and its floor change falls with its edge, so that twice the depth in
+   * a cube of twice the edge, less the depth in the cube, leaves it out. A contact of one cell has
+   * no target, because sessions spread the force over two cells' radius at least.
    *
-   * <p>Reference: Johnson 1985, "Contact Mechanics", sections 3.2 and 3.6.
+   * <p>Reference: Johnson 1985, "Contact Mechanics", section 3.6.
+   *
+   * @param cells a power of 2, the cells of a radius
    */
-  private static double disc(double radiusMm) {
+  private static RigidFigure disc(int cells) {
+    double cellMm = cells < 4 ? CELL : CELL / 2;
+    double radiusMm = cells * cellMm;
+    double found =
+        2 * DiscVariants.depth(2 * CUBE, radiusMm, cellMm, POISSON)
+            - DiscVariants.depth(CUBE, radiusMm, cellMm, POISSON);
     double halfSpace = (1 - POISSON * POISSON) / (2 * radiusMm);
-    double atFloor = (1 + POISSON) * (3 - 2 * POISSON) / (2 * Math.PI * CUBE);
-    return halfSpace - atFloor;
+    String condition = cells == 1 ? "radius of one cell" : "radius of " + cells + " cells";
+    double target = cells == 1 ? Double.NaN : DISC_TARGET;
+    return deviation(condition, "disc on a half space", found / halfSpace, target);
+  }
+
+  /**
+   * Compares the depth in a lattice of half the edge around the disc, whose sides are displaced as
+   * in the coarse lattice, with that in a whole lattice of half the edge.
+   *
+   * @param reach from the axis of the disc to the sides, in radii
+   */
+  private static RigidFigure window(int reach) {
+    double found =
+        DiscVariants.depthInWindow(CUBE, CELL, CELL, CELL / 2, reach * (int) CELL, POISSON);
+    double whole = DiscVariants.depth(CUBE, CELL, CELL / 2, POISSON);
+    return new RigidFigure(
+        STUDY,
+        "a radius of one coarse cell, reach of " + reach + " radii",
+        "disc in a fine window, off the whole fine lattice",
+        PERCENT * Math.abs(found / whole - 1),
+        "%",
+        WINDOW_TARGET);
   }
 }

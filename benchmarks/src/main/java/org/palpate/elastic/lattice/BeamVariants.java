@@ -100,12 +100,30 @@ public final class BeamVariants {
     }
   }
 
+  /** Receives a node and its weight. */
+  @FunctionalInterface
+  interface WeightedNode {
+    /** Receives a node and its weight. */
+    void take(int node, double weight);
+  }
+
   /** Spreads a force at a point in grid coordinates over the corners of its cell. */
   static void spread(LatticeLayout layout, double[] at, float newton, int axis, float[] dest) {
+    forCorners(
+        layout,
+        at,
+        (node, weight) -> dest[axis * layout.nodeCount() + node] += (float) (newton * weight));
+  }
+
+  /** Hands out the corners of the cell of a point in grid coordinates with trilinear weights. */
+  static void forCorners(LatticeLayout layout, double[] at, WeightedNode sink) {
     int[] cell = new int[3];
     double[] into = new double[3];
     for (int n = 0; n < 3; n++) {
       double cells = (at[n] - layout.originVoxel(n)) / layout.voxelsPerCell(n);
+      if (!(cells >= 0 && cells <= layout.cells(n))) {
+        return;
+      }
       cell[n] = (int) cells;
       into[n] = cells - cell[n];
     }
@@ -116,10 +134,15 @@ public final class BeamVariants {
         weight *= (corner >> n & 1) == 1 ? into[n] : 1 - into[n];
       }
       if (weight > 0) {
-        dest[axis * layout.nodeCount() + first + layout.cornerOffset(corner)] +=
-            (float) (newton * weight);
+        sink.take(first + layout.cornerOffset(corner), weight);
       }
     }
+  }
+
+  /** Adds the solution for a load or a residual to a displacement. */
+  static void solve(ConjugateGradients solver, float[] load, float[] displacement) {
+    double goal = Math.max(PRECISE_NEWTON * RESIDUAL, RESIDUAL * Vectors.norm(load));
+    solver.solve(load.clone(), displacement, goal, MOST_STEPS);
   }
 
   /** Returns the displacement along a load, weighted by it, over the load's size squared. */
@@ -129,8 +152,7 @@ public final class BeamVariants {
       sum += newton;
     }
     float[] displacement = new float[load.length];
-    double goal = Math.max(PRECISE_NEWTON * RESIDUAL, RESIDUAL * Vectors.norm(load));
-    solver.solve(load.clone(), displacement, goal, MOST_STEPS);
+    solve(solver, load, displacement);
     return Vectors.dot(load, displacement) / (sum * sum);
   }
 }

@@ -40,7 +40,12 @@ class ElasticStudiesTest {
     assertTrue(value(figures, "in the air of a lattice, cells of 8 mm", figure) < 3);
     String plate = "plate 96x16x2, off the formula";
     assertTrue(value(figures, "in the air of a lattice, cells of 8 mm", plate) < 20);
-    assertTrue(value(figures, "radius 16 mm", "disc on a half space, off the formula") < 10);
+    String disc = "disc on a half space, off the formula";
+    assertEquals(17.2, value(figures, "radius of one cell", disc), 0.2, "half of it with each");
+    assertEquals(9.0, value(figures, "radius of 2 cells", disc), 0.2, "halving of the cells");
+    String window = "disc in a fine window, off the whole fine lattice";
+    assertEquals(1.2, value(figures, "reach of 2 radii", window), 0.1);
+    assertEquals(0.5, value(figures, "reach of 3 radii", window), 0.1);
   }
 
   @Test
