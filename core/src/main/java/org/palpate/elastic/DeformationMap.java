@@ -316,6 +316,11 @@ final class DeformationMap {
     return most;
   }
 
+  /** Writes the displacement of the point of an answer of this field for the present force, mm. */
+  void displacementMm(LocalAnswer at, Vec3 dest) {
+    at.displacementMm(change, dest);
+  }
+
   /** Writes the answer of the field at a material point: none outside the lattice. */
   void answer(Vec3 material, LocalAnswer dest) {
     dest.clear(field.baseNewton);

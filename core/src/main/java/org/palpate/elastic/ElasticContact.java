@@ -35,7 +35,10 @@ public final class ElasticContact {
   private final LoadExchange loads;
   private final ChangedCells changed;
   private final DeformationMap map;
+
+  /** The answer at {@link #position}, if {@link #pressed} and no other field is in use since. */
   private final LocalAnswer answer = new LocalAnswer();
+
   private final ElasticLoad load = new ElasticLoad();
   private final EnergyTank tank = new EnergyTank();
   private final SlideForecast forecast;
@@ -154,12 +157,16 @@ public final class ElasticContact {
    * @return the device position in material coordinates, to read until the next frame
    */
   public Vec3 begin(Vec3 deviceGrid, InteractionPoint point, double newtonPerMm) {
-    if (fields.hasNew()) {
+    boolean isNew = fields.hasNew();
+    if (isNew) {
       useNewField(point);
     }
     shift.mul(keptShift, shift);
     deviceGrid.add(shift, device);
     if (pressed) {
+      if (isNew || !point.position.sameBits(position)) {
+        map.answer(point.position, answer);
+      }
       balance(point, newtonPerMm);
     }
     return map.inverse(device, target, target);
@@ -224,11 +231,13 @@ public final class ElasticContact {
     position.set(point.position);
     map.slideTo(position);
     if (pressed) {
+      map.answer(position, answer);
       balance(point, newtonPerMm);
+      findPresent(point);
     } else {
       setForce(0, 0, 0);
+      map.forward(position, present);
     }
-    map.forward(point.position, present);
     couple(point);
     clippedFrames += clipped ? 1 : 0;
     forecast.follow(position, pressed, load.point);
@@ -250,7 +259,7 @@ public final class ElasticContact {
       normal.mul(1 / length, normal);
     }
     double depthMm = reachMm.dot(normal);
-    map.forward(p, present);
+    findPresent(point);
     toMm(present, device, stretchMm);
     double lengthMm = stretchMm.length();
     if (!(depthMm > 0 && lengthMm > point.surfaceHeightMm)) {
@@ -267,12 +276,12 @@ public final class ElasticContact {
   /**
    * Finds the force at which the spring from the present position and the material balance. The
    * spring is shorter than the way to the device by the height of the surface, in a direction that
-   * the force turns; so each step uses the direction of the one before.
+   * the force turns; so each step uses the direction of the one before. The answer must be that of
+   * the point.
    */
   private void balance(InteractionPoint point, double newtonPerMm) {
-    map.answer(point.position, answer);
     for (int step = 0; step < BALANCE_STEPS; step++) {
-      map.forward(point.position, present);
+      findPresent(point);
       toMm(present, device, stretchMm);
       double length = stretchMm.length();
       if (!(length > point.surfaceHeightMm)) {
@@ -285,6 +294,13 @@ public final class ElasticContact {
       answer.balance(reachMm, newtonPerMm, forceNewton);
       setForce(forceNewton.x, forceNewton.y, forceNewton.z);
     }
+  }
+
+  /** Finds the present position of the point from its answer, without a search for its cell. */
+  private void findPresent(InteractionPoint point) {
+    map.displacementMm(answer, stretchMm);
+    fromMm(stretchMm, present);
+    present.add(point.position, present);
   }
 
   private void couple(InteractionPoint point) {

@@ -32,6 +32,19 @@ final class LocalAnswer {
   }
 
   /**
+   * Writes the displacement of the point, mm.
+   *
+   * @param changeNewton the change of the force since the field was solved
+   */
+  void displacementMm(double[] changeNewton, Vec3 dest) {
+    dest.set(along(0, changeNewton), along(1, changeNewton), along(2, changeNewton));
+  }
+
+  private double along(int row, double[] change) {
+    return mm[row] + change[0] * mm[3 + row] + change[1] * mm[6 + row] + change[2] * mm[9 + row];
+  }
+
+  /**
    * Writes the force at which spring and material balance in all three directions.
    *
    * @param reachMm the vector from the material point at rest to the end of the spring, mm

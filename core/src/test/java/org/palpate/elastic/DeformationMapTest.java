@@ -105,6 +105,27 @@ class DeformationMapTest {
   }
 
   @Test
+  void theAnswerOfAPointDisplacesItAsTheMapDoes() {
+    LocalAnswer answer = new LocalAnswer();
+    for (int n = 0; n < 200; n++) {
+      newField(0.08);
+      field.slideIntervals = n % 2;
+      field.earlierPlace.set(4, 4, 4);
+      field.place.set(7, 5, 4);
+      System.arraycopy(field.values, 0, field.earlier, 12, field.values.length - 12);
+      map.setForce(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+      Vec3 point = randomPoint();
+      map.slideTo(new Vec3(4 + 3 * random.nextDouble(), 4.5, 4));
+      map.answer(point, answer);
+      Vec3 mm = new Vec3();
+      map.displacementMm(answer, mm);
+      Vec3 present = new Vec3(point.x + mm.x, point.y + mm.y / 1.5, point.z + mm.z / 2);
+      Vec3 expected = map.forward(point, new Vec3());
+      assertEquals(0, present.sub(expected, mm).length(), 1e-13, "frame " + n);
+    }
+  }
+
+  @Test
   void isTheIdentityOutsideTheLatticeAndAtItsRim() {
     newField(0.12);
     for (int axis = 0; axis < 3; axis++) {

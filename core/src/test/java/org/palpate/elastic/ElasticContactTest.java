@@ -46,6 +46,31 @@ class ElasticContactTest {
     assertEquals(0, hand.length(), 1e-6, "off the hand");
   }
 
+  /** Before the point moves, the force is that of the field in use, also in its first frame. */
+  @Test
+  void eachFrameBeginsWithTheForceAtWhichTheSpringAndTheFieldBalance() {
+    ElasticTouch touch = above(20e3, 0.5, 8, false);
+    touch.moveTo(48.3, 48.4, 44, 200);
+    DeformationMap map = touch.body.contact().map();
+    Vec3 force = new Vec3();
+    Vec3 stretch = new Vec3();
+    int newFields = 0;
+    for (int n = 0; n < 300; n++) {
+      touch.hand.x += 0.03;
+      touch.updates.beforeFrame();
+      DeformationField before = map.field();
+      Vec3 target = touch.body.contact().begin(touch.hand, touch.frame.point(), 0.5);
+      newFields += map.field() == before ? 0 : 1;
+      Vec3 point = touch.frame.point().position;
+      map.forward(target, stretch).sub(map.forward(point, force), stretch);
+      map.force(force);
+      assertEquals(0, touch.frame.point().surfaceHeightMm);
+      assertEquals(0, force.sub(stretch.mul(0.5, stretch), force).length(), 1e-9, "frame " + n);
+      touch.runWithoutUpdate();
+    }
+    assertTrue(newFields >= 8, "fields " + newFields);
+  }
+
   @Test
   void aShapeThatNothingPressesIsAtRestAfterOneUpdate() {
     ElasticTouch touch = above(20e3, 0.5, 8, false);

@@ -33,7 +33,7 @@ final class ElasticTouch {
   final PointFrame frame;
   final ProxySolver solver;
   final double newtonPerMm;
-  private final SynchronousUpdates updates;
+  final SynchronousUpdates updates;
   private long millis;
 
   /** Makes a scene at rest without friction, with the hand and the point at a free place. */

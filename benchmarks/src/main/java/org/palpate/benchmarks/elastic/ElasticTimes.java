@@ -11,7 +11,8 @@ import org.palpate.geometry.GridMetric;
 
 /**
  * Measures the time of frames and of updates while a hand presses 5 mm deep and slides at 15 mm/s.
- * Times are those of the processor for one thread, without interruptions.
+ * Times are those of the processor for one thread, without interruptions and, in frames, without
+ * the reading of the clock.
  */
 final class ElasticTimes {
   static final String STUDY = "time";
@@ -55,6 +56,7 @@ final class ElasticTimes {
       session.run();
     }
     double[] micros = new double[frames];
+    double clockMicros = clockMicros();
     double fewestBytes = Double.POSITIVE_INFINITY;
     for (int quarter = 0; quarter < 4; quarter++) {
       double bytes = 0;
@@ -64,7 +66,7 @@ final class ElasticTimes {
         long allocated = THREADS.getCurrentThreadAllocatedBytes();
         long begin = THREADS.getCurrentThreadCpuTime();
         session.runFrame();
-        micros[n] = (THREADS.getCurrentThreadCpuTime() - begin) / NANOS_PER_MICRO;
+        micros[n] = (THREADS.getCurrentThreadCpuTime() - begin) / NANOS_PER_MICRO - clockMicros;
         bytes += THREADS.getCurrentThreadAllocatedBytes() - allocated;
       }
       fewestBytes = Math.min(fewestBytes, bytes);
@@ -74,6 +76,16 @@ final class ElasticTimes {
         new RigidFigure(STUDY, solver, "frame p50", Quantile.of(micros, 0.5), "us", 1.5),
         new RigidFigure(STUDY, solver, "frame p99.9", Quantile.of(micros, 0.999), "us", 10),
         new RigidFigure(STUDY, solver, "bytes in frames", fewestBytes, "B", 0));
+  }
+
+  /** Returns the median time that two reads of the clock measure if nothing happens between. */
+  private static double clockMicros() {
+    double[] micros = new double[WARM_UP_FRAMES];
+    for (int n = 0; n < micros.length; n++) {
+      long begin = THREADS.getCurrentThreadCpuTime();
+      micros[n] = (THREADS.getCurrentThreadCpuTime() - begin) / NANOS_PER_MICRO;
+    }
+    return Quantile.of(micros, 0.5);
   }
 
   private static ElasticSession pressed(SoftScene scene, Softness softness) {
