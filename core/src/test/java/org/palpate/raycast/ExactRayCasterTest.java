@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.statistics.SkipCounters;
 import org.palpate.statistics.SkipKind;
 import org.palpate.testing.ExactOracle;
@@ -64,6 +66,67 @@ class ExactRayCasterTest {
     assertTrue(caster.cast(bits, ray.to(0.0, 3.0, 11.000000000000002), hit));
   }
 
+  /** Returns a ray along an axis whose other coordinates are {@code beside} and {@code across}. */
+  private static Ray along(int axis, double from, double to, double beside, double across) {
+    double[] start = new double[3];
+    start[axis] = from;
+    start[(axis + 1) % 3] = beside;
+    start[(axis + 2) % 3] = across;
+    double[] end = start.clone();
+    end[axis] = to;
+    return new Ray().from(start[0], start[1], start[2]).to(end[0], end[1], end[2]);
+  }
+
+  /** The only solid is the voxel (4, 4, 4), so that its faces are those of all solids. */
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 2})
+  void aRayThatOnlyTouchesTheBoundsOfAllSolidsHits(int axis) {
+    BitCube bits = new BitCube(8, 8, 8);
+    bits.set(4, 4, 4);
+    assertTrue(caster.cast(bits, along(axis, 2, 4, 4.5, 4.5), hit), "ends on the lower face");
+    assertTrue(caster.cast(bits, along(axis, 4, 2, 4.5, 4.5), hit), "starts on the lower face");
+    assertTrue(caster.cast(bits, along(axis, 7, 5, 4.5, 4.5), hit), "ends on the upper face");
+    assertTrue(caster.cast(bits, along(axis, 5, 7, 4.5, 4.5), hit), "starts on the upper face");
+    assertTrue(caster.cast(bits, along(axis, 2, 7, 4, 4.5), hit), "runs within a face");
+    assertTrue(caster.cast(bits, along(axis, 2, 7, 5, 4.5), hit), "runs within the other face");
+  }
+
+  /** A ray within a grid plane is cast in the layers on both sides of the plane. */
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 2})
+  void aRayWithinAPlaneMeetsTheFirstLayerOfAllSolids(int axis) {
+    BitCube bits = new BitCube(16, 16, 16);
+    for (int n = 0; n < 16 * 16; n++) {
+      for (int layer : new int[] {2, 3, 12, 13}) {
+        int[] cell = new int[3];
+        cell[axis] = layer;
+        cell[(axis + 1) % 3] = n % 16;
+        cell[(axis + 2) % 3] = n / 16;
+        bits.set(cell[0], cell[1], cell[2]);
+      }
+    }
+    assertTrue(caster.cast(bits, along(axis, -14.5, 20.5, 5, 5.5), hit));
+    assertEquals(2, hit.cell(axis));
+    assertEquals(16.5 / 35, hit.t, 1e-15);
+    assertEquals(axis, hit.axis);
+    assertTrue(caster.cast(bits, along(axis, 25.5, -4.5, 5, 5.5), hit));
+    assertEquals(13, hit.cell(axis));
+    assertEquals(11.5 / 30, hit.t, 1e-15);
+    assertEquals(axis, hit.axis);
+  }
+
+  /** Two planes are crossed at once; three of the four voxels around their edge are solid. */
+  @Test
+  void aTieMeetsAVoxelBehindAFaceBeforeTheOneBehindTheEdge() {
+    BitCube bits = new BitCube(4, 4, 4);
+    bits.set(1, 0, 0);
+    bits.set(0, 1, 0);
+    bits.set(1, 1, 0);
+    assertTrue(caster.cast(bits, new Ray().from(0.5, 0.5, 0.5).to(1.5, 1.5, 0.5), hit));
+    assertEquals(1, hit.i + hit.j, "a neighbour by a face");
+    assertEquals(hit.i == 1 ? 0 : 1, hit.axis);
+  }
+
   @Test
   void countsTheRaysBesideAllSolids() {
     BitCube bits = new BitCube(8, 8, 8);
@@ -89,6 +152,21 @@ class ExactRayCasterTest {
     assertTrue(bricks > 0 && bricks < 32, "bricks=" + bricks);
     ExactRayCaster voxelByVoxel = ExactRayCaster.voxelByVoxel();
     assertFalse(voxelByVoxel.cast(bits, along, hit));
+    assertEquals(0, skips(voxelByVoxel, SkipKind.EMPTY_BRICKS));
+  }
+
+  /** It starts on a plane, and is cast in the layers on both sides. */
+  @Test
+  void aRayWithinAPlanePassesEmptyBricksToo() {
+    BitCube bits = new BitCube(128, 8, 8);
+    bits.set(0, 0, 0);
+    bits.set(127, 7, 7);
+    Ray within = new Ray().from(0.5, 4, 5.5).to(127.25, 4, 5.5);
+    assertFalse(caster.cast(bits, within, hit));
+    long bricks = skips(caster, SkipKind.EMPTY_BRICKS);
+    assertTrue(bricks > 0 && bricks < 2 * 32, "bricks=" + bricks);
+    ExactRayCaster voxelByVoxel = ExactRayCaster.voxelByVoxel();
+    assertFalse(voxelByVoxel.cast(bits, within, hit));
     assertEquals(0, skips(voxelByVoxel, SkipKind.EMPTY_BRICKS));
   }
 
