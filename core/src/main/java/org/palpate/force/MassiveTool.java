@@ -54,7 +54,7 @@ public final class MassiveTool implements ToolProposal {
   /**
    * Creates the body of a session.
    *
-   * @param tool its points give the radius and the directions of its inertia
+   * @param tool its matter gives the inertia, and the radius that weighs rotations
    * @param coupling the springs between device and tool
    * @param friction the coefficient of sliding friction
    * @param held the mass, with gravity along the world's axes

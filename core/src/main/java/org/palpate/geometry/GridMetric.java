@@ -34,7 +34,7 @@ public record GridMetric(double spacingX, double spacingY, double spacingZ) {
   }
 
   /**
-   * {@return whether a voxel edge may have a length; false for NaN}
+   * {@return whether a voxel edge may be as long as given; false for NaN}
    *
    * @param mm the length, mm
    */

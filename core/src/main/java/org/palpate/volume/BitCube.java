@@ -251,7 +251,7 @@ public class BitCube {
    * {@return whether the voxels around a grid coordinate have int numbers that {@link #window}
    * takes}
    *
-   * @param coordinate a coordinate of a point along any axis; false for NaN
+   * @param coordinate a coordinate of a point along any axis; NaN has no window
    */
   public static boolean hasWindow(double coordinate) {
     return Math.abs(coordinate) < MAX_SIZE;

@@ -100,7 +100,7 @@ public record VoxelGrid(
   /**
    * {@return the length of the diagonal of a box of voxels that is not empty, mm}
    *
-   * @param box a box of voxels
+   * @param box the box, in voxels, not empty
    */
   public double diagonalMm(IntBox box) {
     return new Vec3(

@@ -47,7 +47,7 @@ public record FractureSpec(int parts, long seed, int kerfVoxels) {
   /**
    * {@return what {@code PARTS[:SEED[:KERF]]} specifies, as in {@code 4:7:0}}
    *
-   * @param text the specification, without the name of a bone
+   * @param text the text of a user
    * @throws IllegalArgumentException if the text has another form; the message says what to write
    */
   public static FractureSpec parse(String text) {
