@@ -127,6 +127,7 @@ class ArchitectureTest {
                   "benchmarks.report",
                   "force.effect",
                   "force.needle",
+                  "fracture.fit",
                   "loop",
                   "proxy.reference",
                   "proxy.smooth",

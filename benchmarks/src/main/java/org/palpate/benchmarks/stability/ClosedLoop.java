@@ -13,9 +13,15 @@ import org.palpate.geometry.Vec3;
  *
  * @param touchMm where the handle meets the surface
  * @param inward unit direction into the solid
+ * @param pressedNewton the force with which the hand means to press
  */
 public record ClosedLoop(
-    DeviceModel device, Grip grip, Sampling sampling, Vec3 touchMm, Vec3 inward) {
+    DeviceModel device,
+    Grip grip,
+    Sampling sampling,
+    Vec3 touchMm,
+    Vec3 inward,
+    double pressedNewton) {
   static final double FRICTION = 0.2;
   private static final double AWAY_MM = 2;
   private static final double AWAY_ALONE_MM = 0.05;
@@ -53,6 +59,11 @@ public record ClosedLoop(
   public record Outcome(
       boolean stable, double excursionMm, double energyBackMillijoule, double riseNewtonPerMs) {}
 
+  /** Creates a person who means to press with a part of the force that the device can give. */
+  ClosedLoop(DeviceModel device, Grip grip, Sampling sampling, Vec3 touchMm, Vec3 inward) {
+    this(device, grip, sampling, touchMm, inward, PRESSED_FRACTION * device.maxForceNewton());
+  }
+
   /** Returns a handle that does not turn; positions are in units of {@code unitMm}. */
   Plant plant(double unitMm) {
     Reach reach = reach();
@@ -67,16 +78,18 @@ public record ClosedLoop(
         device, sampling, reach, 1, HandleMotion.turning(device, grip, reach), upright);
   }
 
+  /** Returns where the handle begins, mm. */
+  Vec3 startMm() {
+    return reach().awayMm();
+  }
+
   private boolean isBare() {
     return grip.armNewtonPerM() == 0;
   }
 
   private Reach reach() {
     boolean bare = isBare();
-    double depthMm =
-        bare
-            ? DEPTH_ALONE_MM
-            : 1e3 * PRESSED_FRACTION * device.maxForceNewton() / grip.armNewtonPerM();
+    double depthMm = bare ? DEPTH_ALONE_MM : 1e3 * pressedNewton / grip.armNewtonPerM();
     return new Reach(
         alongMm(bare ? AWAY_ALONE_MM : AWAY_MM),
         alongMm(-depthMm),

@@ -69,8 +69,9 @@ public final class StabilityRun {
     reportTheory(folder, study.theory(), out);
     Map<String, Double> margins = reportDevices(folder, study.devices(), out);
     reportShapes(folder, study.shapes(), out);
-    List<MarginRow<ToolTrial>> tools = new ArrayList<>(study.tools());
+    List<MarginRow<HeldTrial>> tools = new ArrayList<>(study.tools());
     tools.addAll(study.heldTools());
+    tools.addAll(study.fragments());
     reportTools(folder, tools, out);
     reportFeel(folder, study.feel(), out);
     reportCarving(folder, study.carving(), out);
@@ -108,7 +109,7 @@ public final class StabilityRun {
     return margins;
   }
 
-  private static void reportTools(Path folder, List<MarginRow<ToolTrial>> rows, PrintWriter out)
+  private static void reportTools(Path folder, List<MarginRow<HeldTrial>> rows, PrintWriter out)
       throws IOException {
     report(folder, StudyTable.STABILITY_TOOLS, rows, StabilityRun::condition, out);
   }
@@ -184,12 +185,12 @@ public final class StabilityRun {
                 own.stream().mapToDouble(r -> r.outcome().excursionMm()).max().orElse(0)));
   }
 
-  private static String condition(ToolTrial trial) {
+  private static String condition(HeldTrial trial) {
     return String.format(
         Locale.ROOT,
         "%s, %.0f mm, with %s, grip %s, at %.0f Hz",
-        trial.held().name(),
-        trial.held().lengthMm(),
+        trial.heldName(),
+        trial.lengthMm(),
         trial.device().name(),
         trial.grip().name(),
         trial.sampling().rateHz());

@@ -139,11 +139,11 @@ public final class StabilityStudy {
   }
 
   /** Sweeps the length of a rod, and devices by name, mass, damping, grip and delay. */
-  List<MarginRow<ToolTrial>> tools() {
+  List<MarginRow<HeldTrial>> tools() {
     double[] lengthsMm = quick ? new double[] {0, 60} : new double[] {0, 20, 60, 120};
     double[] massFactors = quick ? new double[] {2} : new double[] {0.5, 1, 2};
     double[] dampingFactors = quick ? new double[] {0.25} : new double[] {0.25, 1, 4};
-    List<MarginRow<ToolTrial>> rows = new ArrayList<>();
+    List<MarginRow<HeldTrial>> rows = new ArrayList<>();
     for (DeviceModel device : DeviceModel.KNOWN) {
       for (double lengthMm : lengthsMm) {
         progress.accept("tools: " + device.name() + " rod=" + lengthMm + " mm");
@@ -162,8 +162,8 @@ public final class StabilityStudy {
   }
 
   /** Sweeps needles, rods with mass and rods with effects: devices by name, grips and rates. */
-  List<MarginRow<ToolTrial>> heldTools() {
-    List<MarginRow<ToolTrial>> rows = new ArrayList<>();
+  List<MarginRow<HeldTrial>> heldTools() {
+    List<MarginRow<HeldTrial>> rows = new ArrayList<>();
     for (Sampling sampling : feelSamplings()) {
       for (HeldTool tool : sampling.equals(DEFAULT_SAMPLING) ? heldToolKinds() : fastToolKinds()) {
         for (DeviceModel device : feelDevices()) {
@@ -172,6 +172,24 @@ public final class StabilityStudy {
           for (Grip grip : feelGrips()) {
             rows.add(MarginRow.of(new ToolTrial(device, grip, sampling, tool)));
           }
+        }
+      }
+    }
+    return rows;
+  }
+
+  /**
+   * Sweeps a fragment in hand with and without the guide {@code fit}: devices by name and grips.
+   */
+  List<MarginRow<HeldTrial>> fragments() {
+    List<MarginRow<HeldTrial>> rows = new ArrayList<>();
+    for (boolean guided : new boolean[] {false, true}) {
+      for (DeviceModel device : feelDevices()) {
+        for (Grip grip : feelGrips()) {
+          FragmentTrial trial = new FragmentTrial(device, grip, DEFAULT_SAMPLING, guided);
+          progress.accept(
+              "tools: " + device.name() + " " + trial.heldName() + " grip=" + grip.name());
+          rows.add(MarginRow.of(trial));
         }
       }
     }

@@ -25,13 +25,23 @@ import org.palpate.rigid.tool.RigidTool;
  * @param held the tool
  */
 record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, HeldTool held)
-    implements EnergyTrial {
+    implements HeldTrial {
   private static final double N_PER_MM = 1e-3;
   private static final double MAX_STEP_MM = 8 * TouchedShape.VOXEL_MM;
 
   @Override
-  public List<Object> conditionCells() {
-    return List.of(held.name(), held.lengthMm(), rmsRadiusMm());
+  public String heldName() {
+    return held.name();
+  }
+
+  @Override
+  public double lengthMm() {
+    return held.lengthMm();
+  }
+
+  @Override
+  public double rmsRadiusMm() {
+    return held.tool().rmsRadiusMm();
   }
 
   /** Runs the trial with a stiffness, N/m; the rotational stiffness is that of a session. */
@@ -78,10 +88,5 @@ record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, HeldTool held
             List.of(new Vec3()));
     frame.requestEffects(held.effects().stream().map(plan -> plan.make(site)).toList());
     return loop.run(plant, frame);
-  }
-
-  /** Returns the root mean square distance of the tool's matter from its centre, mm. */
-  double rmsRadiusMm() {
-    return held.tool().rmsRadiusMm();
   }
 }

@@ -142,6 +142,21 @@ class ClosedLoopTest {
   }
 
   @Test
+  void aFirmlyHeldFragmentRestsAtTheDefaultStiffnessOfEveryDeviceWithAFitAndWithout() {
+    for (DeviceModel device : DeviceModel.KNOWN) {
+      double stiffness = MarginRow.defaultNewtonPerM(device);
+      Sampling sampling = new Sampling(1000, 1);
+      ClosedLoop.Outcome alone =
+          new FragmentTrial(device, Grip.FIRM, sampling, false).run(stiffness);
+      ClosedLoop.Outcome guided =
+          new FragmentTrial(device, Grip.FIRM, sampling, true).run(stiffness);
+      assertTrue(alone.stable(), device.name() + " " + alone);
+      assertTrue(guided.stable(), device.name() + " with fit " + guided);
+      assertTrue(guided.riseNewtonPerMs() > 2 * alone.riseNewtonPerMs(), "the fit guides");
+    }
+  }
+
+  @Test
   void effectsArePassiveButForThoseThatTheDocumentsCallActive() {
     DeviceModel touch = DeviceModel.KNOWN.get(0);
     Set<String> active = new TreeSet<>();
