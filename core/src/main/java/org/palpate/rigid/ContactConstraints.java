@@ -24,6 +24,9 @@ import org.palpate.rigid.tool.KineticMetric;
 final class ContactConstraints {
   static final int CAPACITY = 96;
 
+  /** The distance beyond which a target is replaced by a nearer one, edges, against rounding. */
+  private static final double FARTHEST_TARGET_EDGES = 1000;
+
   private static final int UNKNOWNS = 7;
   private static final int DEPTH = 6;
 
@@ -133,12 +136,22 @@ final class ContactConstraints {
     return count;
   }
 
-  /** Sets the motion to the device: six metric coordinates, mm. */
+  /**
+   * Sets the motion to the device. One that is too long is shortened.
+   *
+   * @param metric six metric coordinates, mm
+   */
   void setTarget(double[] metric) {
     double square = 0;
     for (int c = 0; c < DEPTH; c++) {
-      problem.target[c] = metric[c];
       square += metric[c] * metric[c];
+    }
+    double farthest = FARTHEST_TARGET_EDGES * edgeMm;
+    double part = square > farthest * farthest ? farthest / Math.sqrt(square) : 1;
+    square = 0;
+    for (int c = 0; c < DEPTH; c++) {
+      problem.target[c] = metric[c] * part;
+      square += problem.target[c] * problem.target[c];
     }
     problem.target[DEPTH] = -DEPTH_COST * Math.sqrt(square) / DEPTH_SCALE;
   }

@@ -466,12 +466,19 @@ public final class RigidSolver {
       double shortestMm = (first || motionMm == 0 ? 1e-9 : CORRECTION_EDGES) * edgeMm;
       double mostRiseMm = Math.min(riseMm, Math.max(0, ceilingMm - last));
       boolean stepped = stepper.step(mostRiseMm, mostMm, pathLeftMm, shortestMm);
-      boolean gained = stepped && potentialMm() <= last - LEAST_GAIN_EDGES * edgeMm;
+      boolean gained = stepped && hasGained(last);
+      if (!gained && motionMm == 0 && stepper.depthMm() > 0 && canContinue(motion)) {
+        gained = stepper.stepOnFaces(mostMm, maxStepMm - motion.pathMm) && hasGained(last);
+      }
       boolean stuck = !gained && ceilingMm - riseMm - potentialMm() < STUCK_EDGES * edgeMm;
       if (!gained && !(stuck && lifts < pulls && lift(motion, PULLS[lifts++]))) {
         return;
       }
     }
+  }
+
+  private boolean hasGained(double potentialBefore) {
+    return potentialMm() <= potentialBefore - LEAST_GAIN_EDGES * edgeMm;
   }
 
   private boolean canContinue(ToolMotion motion) {

@@ -22,9 +22,6 @@ final class RigidStepper {
   /** The most contacts that are added after a proposal whose legs touch a solid. */
   private static final int MOST_NEW_CONTACTS = 10;
 
-  /** The distance beyond which a target is replaced by a nearer one, edges, against rounding. */
-  private static final double FARTHEST_TARGET_EDGES = 1000;
-
   /** The smallest fraction of a blocked proposal that is tried. */
   private static final double SMALLEST_FRACTION = 0.05;
 
@@ -58,6 +55,9 @@ final class RigidStepper {
   private Pose target;
   private double pathLeftMm;
   private double shortestPathMm;
+
+  /** Whether the faces of voxels hold the step, and the smooth surface does not. */
+  private boolean onFaces;
 
   /**
    * Creates a stepper.
@@ -171,11 +171,10 @@ final class RigidStepper {
    */
   private void proposeTwist(double fraction) {
     if (fraction == 1) {
-      candidate.set(target);
+      verifier.propose(candidate.set(target));
     } else {
-      displace(fraction);
+      proposeStep(fraction);
     }
-    verifier.propose(candidate);
   }
 
   /** Announces a fraction of the twist and its halves, so that a device judges them together. */
@@ -186,15 +185,6 @@ final class RigidStepper {
         verifier.announce(fraction == longest);
       }
     }
-  }
-
-  private void displace(double fraction) {
-    verifier.pose().displace(displacement, turn, fraction, scratch, candidate);
-    verifier.mover.snap(candidate);
-  }
-
-  private boolean isFree(boolean firstOnly) {
-    return isFree(0, 0, firstOnly);
   }
 
   private boolean isFree(double shifted, double largeTurn, boolean firstOnly) {
@@ -244,7 +234,7 @@ final class RigidStepper {
       if (fraction == 0) {
         break;
       }
-      if (areContactsFree() && isFree(false)) {
+      if (areContactsFree() && isFree(0, 0, false)) {
         accept(fraction);
         return true;
       }
@@ -252,8 +242,24 @@ final class RigidStepper {
         break;
       }
     }
-    boolean stepped = fraction > 0 && stepShorter(fraction);
+    double part = fraction > 0 ? committedPart(fraction) : 0;
+    takeDepth(part);
     keepContacts();
+    return part > 0;
+  }
+
+  /**
+   * Takes one step that the faces of voxels allow, without the smooth surface. Where contacts on
+   * the surface contradict each other, there may be room between surface and voxels.
+   *
+   * @param mostMm the longest step, in the kinetic metric
+   * @param pathMm the longest path of a point
+   * @return whether a step was committed
+   */
+  boolean stepOnFaces(double mostMm, double pathMm) {
+    onFaces = true;
+    boolean stepped = step(0, mostMm, pathMm, SHORTEST_LIFT_EDGES * edgeMm);
+    onFaces = false;
     return stepped;
   }
 
@@ -277,7 +283,7 @@ final class RigidStepper {
     if (fraction == 0) {
       return false;
     }
-    if (isFree(true)) {
+    if (isFree(0, 0, true)) {
       commit();
       return true;
     }
@@ -286,7 +292,7 @@ final class RigidStepper {
 
   private void begin(double riseMm) {
     contacts.begin(verifier.pose(), depthMm);
-    for (int n = 0; n < kept.count(); n++) {
+    for (int n = 0; n < kept.count() && !onFaces; n++) {
       int before = contacts.count();
       int contact = addKeptSurface(kept.body[n], kept.point[n], riseMm);
       if (contact == before && n < kept.active()) {
@@ -295,15 +301,6 @@ final class RigidStepper {
     }
     aimTwist();
     tool.metric().toMetric(verifier.pose(), displacement, turn, position, metric);
-    double square = 0;
-    for (double c : metric) {
-      square += c * c;
-    }
-    double far = FARTHEST_TARGET_EDGES * edgeMm;
-    double cut = square > far * far ? far / Math.sqrt(square) : 1;
-    for (int c = 0; c < metric.length; c++) {
-      metric[c] *= cut;
-    }
     contacts.setTarget(metric);
   }
 
@@ -391,7 +388,8 @@ final class RigidStepper {
   }
 
   private void proposeStep(double fraction) {
-    displace(fraction);
+    verifier.pose().displace(displacement, turn, fraction, scratch, candidate);
+    verifier.mover.snap(candidate);
     verifier.propose(candidate);
   }
 
@@ -409,7 +407,7 @@ final class RigidStepper {
 
   private void accept(double fraction) {
     commit();
-    depthMm += fraction * (contacts.solvedDepthMm() - depthMm);
+    takeDepth(fraction);
     keepContacts();
   }
 
@@ -423,6 +421,9 @@ final class RigidStepper {
   }
 
   private boolean addContactOfHit(int hit) {
+    if (onFaces) {
+      return addFace(hit);
+    }
     int body = hits.body[hit];
     int point = hits.point[hit];
     int contact = contacts.surfaceContact(body, point);
@@ -454,10 +455,9 @@ final class RigidStepper {
     return contacts.addFace(body, hits.point[hit], own, push, hits.gapMm[hit], keptMm);
   }
 
-  private boolean stepShorter(double fraction) {
-    double part = committedPart(fraction);
-    depthMm += part * (contacts.solvedDepthMm() - depthMm);
-    return part > 0;
+  /** Takes a part of the depth of the solution; faces have none, so the depth stays. */
+  private void takeDepth(double part) {
+    depthMm += onFaces ? 0 : part * (contacts.solvedDepthMm() - depthMm);
   }
 
   /** Commits a shorter part of the last proposal if one is free; returns it, or 0. */
@@ -465,7 +465,7 @@ final class RigidStepper {
     announceHalves(0.5 * fraction, SMALLEST_FRACTION * fraction);
     for (double part = 0.5 * fraction; part > SMALLEST_FRACTION * fraction; part /= 2) {
       proposeStep(part);
-      if (isFree(true)) {
+      if (isFree(0, 0, true)) {
         commit();
         return part;
       }

@@ -126,12 +126,17 @@ final class HalvesStudy {
           if (length < least) {
             lifted.set(home);
             lifted.translation.add(new Vec3(x, y, z), lifted.translation);
-            least = keepOut.isFree(lifted) ? length : least;
+            least = isFree(keepOut, lifted) ? length : least;
           }
         }
       }
     }
     return least;
+  }
+
+  /** Whether points are free, as the guarantee says: one that touches a cell is not. */
+  private static boolean isFree(KeepOut keepOut, Pose pose) {
+    return keepOut.isFree(pose) && keepOut.isFree(pose, pose);
   }
 
   /** Returns the lower and the upper half. */
