@@ -163,10 +163,18 @@ class SmoothAccuracyTest {
 
   @ParameterizedTest
   @CsvSource({
-    "2, plane, 0.5, 1.1, 0.02, 0.03",
-    "2, sphere, 1.4, 11, 0.12, 0.02",
-    "3, plane, 0.9, 1.8, 0.03, 0.04",
-    "3, sphere, 2.6, 16, 0.12, 0.02"
+    "1.2, plane, 0.8, 1.8, 0.03, 0.01",
+    "1.2, sphere, 0.8, 3.7, 0.04, 0.01",
+    "1.5, plane, 0.3, 0.7, 0.02, 0.01",
+    "1.5, sphere, 0.9, 4, 0.05, 0.01",
+    "2, plane, 0.3, 0.7, 0.02, 0.01",
+    "2, sphere, 1, 5, 0.06, 0.01",
+    "2.5, plane, 0.4, 0.9, 0.02, 0.01",
+    "2.5, sphere, 1.2, 5, 0.08, 0.01",
+    "3, plane, 0.4, 0.9, 0.02, 0.01",
+    "3, sphere, 1.3, 5.2, 0.09, 0.01",
+    "5, plane, 0.7, 1.4, 0.03, 0.01",
+    "5, sphere, 1.9, 6.5, 0.15, 0.03"
   })
   void aWallOneSliceThickIsASurfaceFromEitherSide(
       double ratio, String shape, double rms, double worst, double heightStd, double lagOff) {

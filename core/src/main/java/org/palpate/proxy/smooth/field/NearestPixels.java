@@ -85,19 +85,20 @@ final class NearestPixels {
    * Finds the nearest pixels of a kind around the tile of brick (u,v). Pixels within reach of it
    * must be covered.
    *
+   * @param other the slice in which the pixels have to be of the kind as well, or the same one
    * @param solid whether the nearest solid or the nearest empty pixel is sought
    * @param columns the pixels of the tile for which a nearest pixel is sought, a bit each; they are
    *     of the other kind
    * @param dest receives the distance to the outline for each pixel that is returned
    * @return the pixels of {@code columns} for which one was found within reach
    */
-  int find(int brickU, int brickV, int slice, boolean solid, int columns, double[] dest) {
-    long flip = solid ? 0 : -1;
+  int find(
+      int brickU, int brickV, int slice, int other, boolean solid, int columns, double[] dest) {
     int turn = 4 * brickU - REACH;
     int v = 4 * brickV;
     long up = 0;
     for (int n = 0; n < 4; n++) {
-      up |= row(v + n, slice, turn, flip) << (ROW_BITS * n);
+      up |= row(v + n, slice, other, solid, turn) << (ROW_BITS * n);
     }
     long down = up;
     spread[0] = up;
@@ -106,8 +107,8 @@ final class NearestPixels {
       int off = steps[n] & OFF;
       int along = steps[n] >> ALONG;
       if (along == 0) {
-        up = up >>> ROW_BITS | row(v + 3 + off, slice, turn, flip) << (3 * ROW_BITS);
-        down = down << ROW_BITS | row(v - off, slice, turn, flip);
+        up = up >>> ROW_BITS | row(v + 3 + off, slice, other, solid, turn) << (3 * ROW_BITS);
+        down = down << ROW_BITS | row(v - off, slice, other, solid, turn);
         spread[off] = up | down;
       } else {
         spread[off] |= spread[off] << 1 | spread[off] >>> 1;
@@ -121,9 +122,9 @@ final class NearestPixels {
     return columns & ~gathered(left);
   }
 
-  /** Returns a row with column 0 of the tile at bit REACH. */
-  private long row(int v, int slice, int turn, long flip) {
-    return Long.rotateRight(bits.row(v, slice) ^ flip, turn) & ROW;
+  /** Returns the pixels of a kind in a row, with column 0 of the tile at bit REACH. */
+  private long row(int v, int slice, int other, boolean solid, int turn) {
+    return Long.rotateRight(bits.rowOfBoth(v, slice, other, solid), turn) & ROW;
   }
 
   /** Returns the columns of a tile as bits of a word. */

@@ -11,6 +11,11 @@ import java.util.Arrays;
  * of an inclined plane thus become the plane, however long they are, if their ends are within
  * reach. On long terraces the outlines of the slices before and behind bend the surface.
  *
+ * <p>A wall one slice thick is a strip in each slice, and its strip in the next slice lies beside
+ * that one. Distance a then has to lead to the other edge of the strip. It therefore leads to the
+ * nearest column that is empty in both slices. Without a wall, this is the nearest empty one
+ * anyway.
+ *
  * <p>If the next slice has no outline within reach, the shape ends between the two. The end is
  * modelled as a parabola. It passes through both edges of a chord in this slice and both edges in
  * the slice before. An end with upright walls stays flat, half way.
@@ -36,21 +41,30 @@ final class ShapeInterpolation {
   /** The greatest height of an end with upright walls, as a fraction of the way. */
   private static final double FLAT_END = 0.5;
 
-  /** The least height: the middle of a slice keeps its bits. */
-  private static final double MIN_HEIGHT_CELLS = 1e-6;
+  /**
+   * The height that is added against rounding. Two columns side by side that come from either slice
+   * and end half way then leave no gap between them.
+   */
+  private static final double OVERLAP_CELLS = 1e-6;
 
   private final SliceBits slices;
   private final SliceOutline outline;
   private final double perVoxel;
   private final double reach;
 
-  /** For each column of a tile, the distance to the outline of the solid slice, in voxel edges. */
+  /**
+   * For each column of a tile, the distance to the outline around what is solid in any of the two
+   * slices, in shortest voxel edges.
+   */
   private final double[] inside = new double[COLUMNS];
 
-  /** The same for the slice where the column is empty. */
+  /** The distance to the outline of the slice where the column is empty. */
   private final double[] outside = new double[COLUMNS];
 
-  /** The same for the slice before the solid one, where the column is solid there too. */
+  /**
+   * The distance to the outline of the slice before the solid one, where the column is solid there
+   * too.
+   */
   private final double[] before = new double[COLUMNS];
 
   /** The same for the slice behind the empty one, where the column is empty there too. */
@@ -87,15 +101,16 @@ final class ShapeInterpolation {
    */
   void findHeights(
       int brickU, int brickV, int solidSlice, int step, int columns, double[] heights) {
-    outline.measure(brickU, brickV, solidSlice, false, columns, inside);
-    outline.measure(brickU, brickV, solidSlice + step, true, columns, outside);
+    int next = solidSlice + step;
+    outline.measure(brickU, brickV, solidSlice, next, false, columns, inside);
+    outline.measure(brickU, brickV, next, next, true, columns, outside);
     measureBeyond(brickU, brickV, solidSlice, step, bentColumns(columns));
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
       int u = 4 * brickU + (column & 3);
       int v = 4 * brickV + (column >> 2);
       double height = perVoxel * fraction(u, v, solidSlice, step, column);
-      heights[column] = Math.max(MIN_HEIGHT_CELLS, Math.min(perVoxel, height));
+      heights[column] = Math.min(perVoxel, height + OVERLAP_CELLS);
     }
   }
 
@@ -121,12 +136,12 @@ final class ShapeInterpolation {
     int slice = solidSlice - step;
     int solidBefore = columns & slices.pixels(brickU, brickV, slice);
     if (solidBefore != 0) {
-      outline.measure(brickU, brickV, slice, false, solidBefore, before);
+      outline.measure(brickU, brickV, slice, slice, false, solidBefore, before);
     }
     slice = solidSlice + 2 * step;
     int emptyBehind = columns & ~slices.pixels(brickU, brickV, slice);
     if (emptyBehind != 0) {
-      outline.measure(brickU, brickV, slice, true, emptyBehind, behind);
+      outline.measure(brickU, brickV, slice, slice, true, emptyBehind, behind);
     }
   }
 
@@ -178,7 +193,8 @@ final class ShapeInterpolation {
    * Returns how far a shape reaches beyond the last slice in which it has pixels, as a fraction of
    * the way to the next.
    *
-   * @param before the slice on the other side of the last one
+   * @param before the slice on the other side of the last one; where it is hollow below the last
+   *     one, it counts as filled
    * @param solid the kind of pixels outside of the shape
    * @param near the distance to the nearest edge of the chord
    */
@@ -186,7 +202,7 @@ final class ShapeInterpolation {
     outline.coverAll(u >> 2, v >> 2, last);
     outline.coverAll(u >> 2, v >> 2, before);
     double far = outline.distanceOpposite(u, v, last, solid);
-    double whole = outline.distance(u, v, before, solid);
+    double whole = outline.distance(u, v, before, last, solid);
     if (whole >= reach && far > reach - 1) {
       return near / (near + reach);
     }

@@ -109,6 +109,16 @@ final class SliceBits {
     return rows[(w & SLICE_MASK) * EDGE + (v & EDGE_MASK)];
   }
 
+  /**
+   * Returns the pixels of row v that are of a kind in both of two slices, a bit each.
+   *
+   * @param solid whether solid or empty pixels are returned
+   */
+  long rowOfBoth(int v, int w, int other, boolean solid) {
+    long flip = solid ? 0 : -1;
+    return (row(v, w) ^ flip) & (row(v, other) ^ flip);
+  }
+
   /** Makes slice w hold the bricks that lie up to {@code reach} bricks around brick (u,v). */
   void cover(int u, int v, int w, int reach) {
     int at = w >> 2 & LAYERS - 1;

@@ -108,32 +108,36 @@ final class SliceOutline {
    * Writes the distances from pixels of a tile to the outline around the pixels of a kind, at most
    * the reach.
    *
+   * @param other the slice in which the pixels have to be of the kind as well, or the same one
    * @param solid whether the nearest solid or the nearest empty pixel is sought
    * @param columns the pixels, a bit each
    * @param dest receives a distance for each of them
    */
-  void measure(int brickU, int brickV, int slice, boolean solid, int columns, double[] dest) {
+  void measure(
+      int brickU, int brickV, int slice, int other, boolean solid, int columns, double[] dest) {
     bits.cover(brickU, brickV, slice, NEAR_BRICKS);
+    bits.cover(brickU, brickV, other, NEAR_BRICKS);
     int found = 0;
     if (Integer.bitCount(columns) <= FEW_COLUMNS) {
-      found = measureNear(brickU, brickV, slice, solid, columns, dest);
-    } else if (isAnyWithin(0, 0, brickU, brickV, slice, solid)
-        || isAnyWithin(NearestPixels.REACH, NearestPixels.REACH, brickU, brickV, slice, solid)) {
-      found = nearest.find(brickU, brickV, slice, solid, columns, dest);
+      found = measureNear(brickU, brickV, slice, other, solid, columns, dest);
+    } else if (isAnyWithin(0, 0, brickU, brickV, slice, other, solid)
+        || isAnyWithin(
+            NearestPixels.REACH, NearestPixels.REACH, brickU, brickV, slice, other, solid)) {
+      found = nearest.find(brickU, brickV, slice, other, solid, columns, dest);
     }
     if (found != columns) {
-      measureFar(brickU, brickV, slice, solid, columns & ~found, dest);
+      measureFar(brickU, brickV, slice, other, solid, columns & ~found, dest);
     }
   }
 
   /** Measures columns whose outline is near, one by one; returns them. */
   private int measureNear(
-      int brickU, int brickV, int slice, boolean solid, int columns, double[] dest) {
+      int brickU, int brickV, int slice, int other, boolean solid, int columns, double[] dest) {
     int found = 0;
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
       if (findNearest(
-          4 * brickU + (column & 3), 4 * brickV + (column >> 2), slice, solid, endOfNear)) {
+          4 * brickU + (column & 3), 4 * brickV + (column >> 2), slice, other, solid, endOfNear)) {
         dest[column] = distanceToNearest();
         found |= 1 << column;
       }
@@ -142,38 +146,39 @@ final class SliceOutline {
   }
 
   private void measureFar(
-      int brickU, int brickV, int slice, boolean solid, int columns, double[] dest) {
+      int brickU, int brickV, int slice, int other, boolean solid, int columns, double[] dest) {
     coverAll(brickU, brickV, slice);
-    boolean any = isAnyWithin(reachU, reachV, brickU, brickV, slice, solid);
+    coverAll(brickU, brickV, other);
+    boolean any = isAnyWithin(reachU, reachV, brickU, brickV, slice, other, solid);
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
       dest[column] =
           any
-              ? distance(4 * brickU + (column & 3), 4 * brickV + (column >> 2), slice, solid)
+              ? distance(4 * brickU + (column & 3), 4 * brickV + (column >> 2), slice, other, solid)
               : reach;
     }
   }
 
   /** Whether a rectangle around the pixels of a tile holds any pixel of a kind. */
   private boolean isAnyWithin(
-      int alongU, int alongV, int brickU, int brickV, int slice, boolean solid) {
+      int alongU, int alongV, int brickU, int brickV, int slice, int other, boolean solid) {
     long columns = Long.rotateLeft(-1L >>> (SliceBits.EDGE - 4 - 2 * alongU), 4 * brickU - alongU);
-    long flip = solid ? 0 : -1;
     long any = 0;
     for (int v = 4 * brickV - alongV; v < 4 * brickV + 4 + alongV; v++) {
-      any |= bits.row(v, slice) ^ flip;
+      any |= bits.rowOfBoth(v, slice, other, solid);
     }
     return (any & columns) != 0;
   }
 
   /**
    * Returns the distance from pixel (u,v) to the outline around the pixels of a kind, at most the
-   * reach. Call {@link #coverAll} before.
+   * reach. Call {@link #coverAll} before, for both slices.
    *
+   * @param other the slice in which the pixels have to be of the kind as well, or the same one
    * @param solid whether the nearest solid or the nearest empty pixel is sought
    */
-  double distance(int u, int v, int slice, boolean solid) {
-    boolean found = findNearest(u, v, slice, solid, endSquare);
+  double distance(int u, int v, int slice, int other, boolean solid) {
+    boolean found = findNearest(u, v, slice, other, solid, endSquare);
     return found ? Math.min(reach, distanceToNearest()) : reach;
   }
 
@@ -184,12 +189,13 @@ final class SliceOutline {
    * @param end the squared distance from which on pixels do not count
    * @return false if there is none
    */
-  private boolean findNearest(int u, int v, int slice, boolean solid, double end) {
-    long flip = solid ? 0 : -1;
+  private boolean findNearest(int u, int v, int slice, int other, boolean solid, double end) {
     double best = end;
     for (int off = 0; off <= reachV && squaresV[off] < best; off++) {
-      long both = (bits.row(v + off, slice) ^ flip) | (bits.row(v - off, slice) ^ flip);
-      int along = pixelsAlong(Long.rotateRight(both, u - MIDDLE));
+      long rows =
+          bits.rowOfBoth(v + off, slice, other, solid)
+              | bits.rowOfBoth(v - off, slice, other, solid);
+      int along = pixelsAlong(Long.rotateRight(rows, u - MIDDLE));
       double square = squaresU[along] + squaresV[off];
       if (square < best) {
         best = square;
@@ -227,7 +233,7 @@ final class SliceOutline {
    * @param solid the kind of pixels outside; one of them is within reach
    */
   double distanceOpposite(int u, int v, int slice, boolean solid) {
-    boolean found = findNearest(u, v, slice, solid, endSquare);
+    boolean found = findNearest(u, v, slice, slice, solid, endSquare);
     assert found : "no pixel within reach of u=" + u + " v=" + v;
     long flip = solid ? 0 : -1;
     long rowBelow = Long.rotateRight(bits.row(v - nearestOff, slice) ^ flip, u - MIDDLE);

@@ -29,6 +29,9 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   /** The cached tiles along each axis. They serve the bricks of one column. */
   private static final int TILES = 16;
 
+  /** The farthest that the centre of a cell lies from a middle that it holds, with a margin. */
+  private static final double MIDDLE_CELL = 0.5 + 1e-6;
+
   /** The most cells of a pair. */
   private static final int MAX_CELLS = ThinGrid.MAX_PER_VOXEL + 1;
 
@@ -50,6 +53,12 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
 
   private final AxisCut cut;
   private final BrickSource source;
+
+  /** The heights between which the centres of solid cells end, see {@link #roundedHeight}. */
+  private final double leastHeight;
+
+  private final double mostHeight;
+
   private final CellPairs pairs;
   private final SliceBits slices;
   private final ShapeInterpolation interpolation;
@@ -81,10 +90,14 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
    * @param source the voxels, or what an earlier cut along another axis made of them
    * @param edges the edges of what is cut, in shortest voxel edges
    * @param maxReachBricks the greatest reach of searches for the outline
+   * @param isLast whether no other cut divides the cells
    */
-  private ThinSlices(AxisCut cut, BrickSource source, Vec3 edges, int maxReachBricks) {
+  private ThinSlices(
+      AxisCut cut, BrickSource source, Vec3 edges, int maxReachBricks, boolean isLast) {
     this.cut = cut;
     this.source = source;
+    leastHeight = isLast ? MIDDLE_CELL : 0;
+    mostHeight = isLast ? cut.perVoxel() - MIDDLE_CELL : cut.perVoxel();
     pairs = new CellPairs(cut);
     slices = new SliceBits(source, cut.axis());
     int reach = reach(cut, maxReachBricks);
@@ -103,7 +116,8 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     int maxReachBricks = MAX_REACH_BRICKS;
     Vec3 left = new Vec3().set(edges);
     for (AxisCut cut : grid.cuts()) {
-      slices = new ThinSlices(cut, source, left, maxReachBricks);
+      boolean isLast = cut.equals(grid.cuts().get(grid.cuts().size() - 1));
+      slices = new ThinSlices(cut, source, left, maxReachBricks, isLast);
       source = slices;
       maxReachBricks = MAX_REACH_BRICKS_OF_SECOND;
       left.set(cut.axis(), left.get(cut.axis()) / cut.perVoxel());
@@ -230,7 +244,8 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
 
   /**
    * Fills the columns that are solid in one slice and empty in the other: those cells whose centres
-   * lie nearer to the middle of the solid slice than the column is high.
+   * lie nearer to the middle of the solid slice than the column is high, see {@link
+   * #roundedHeight}.
    *
    * @param step 1 if the lower slice is the solid one, else -1
    */
@@ -261,10 +276,11 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   private void noteCorrection(
       int column, int first, int cells, int solidSlice, int step, int slot) {
     double height = heights[column];
+    double roundedHeight = roundedHeight(height);
     int nearest = step > 0 ? first : first + cells - 1;
     int solid = 0;
     while (solid < cells
-        && Math.abs(cut.beyondMiddle(nearest + step * solid, solidSlice)) < height) {
+        && Math.abs(cut.beyondMiddle(nearest + step * solid, solidSlice)) < roundedHeight) {
       solid++;
     }
     double beyond = step * cut.beyondMiddle(nearest, solidSlice) - 0.5;
@@ -275,12 +291,22 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     correctedCells[at] = (byte) (step > 0 ? corrected : cells - 1 - corrected);
   }
 
+  /**
+   * Returns the height below which the centres of solid cells lie. After the last cut, the cell
+   * that holds the middle of a voxel has the voxel's bit, and its correction makes up for that. An
+   * empty voxel thus has an empty cell, from which a flood fill can begin. Earlier cuts have no
+   * corrections, so their bits are rounded to the nearest.
+   */
+  private double roundedHeight(double height) {
+    return Math.max(leastHeight, Math.min(mostHeight, height));
+  }
+
   /** Returns those of some columns that are higher than a number of cells. */
   private int higher(double cells, int columns) {
     int higher = 0;
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
-      higher |= heights[column] > cells ? 1 << column : 0;
+      higher |= roundedHeight(heights[column]) > cells ? 1 << column : 0;
     }
     return higher;
   }

@@ -15,6 +15,7 @@ final class NaiveThinSlices implements Cells {
   private final Cells cells;
   private final int axis;
   private final double perVoxel;
+  private final boolean isLast;
   private final int reach;
 
   /** The least length of a terrace that is bent, pixels. */
@@ -34,8 +35,10 @@ final class NaiveThinSlices implements Cells {
   private int nearestV;
 
   /** Creates the thin slices of one cut through cells of some edges. */
-  private NaiveThinSlices(Cells cells, AxisCut cut, Vec3 edges, int reach, double minBent) {
+  private NaiveThinSlices(
+      Cells cells, AxisCut cut, boolean isLast, Vec3 edges, int reach, double minBent) {
     this.cells = cells;
+    this.isLast = isLast;
     this.reach = reach;
     this.minBent = minBent;
     axis = cut.axis();
@@ -51,7 +54,9 @@ final class NaiveThinSlices implements Cells {
     double[] left = {edges.x, edges.y, edges.z};
     for (AxisCut cut : grid.cuts()) {
       int reach = Math.min(slices == null ? 24 : 12, 4 * (int) Math.ceil(2 * cut.perVoxel()));
-      slices = new NaiveThinSlices(cells, cut, new Vec3(left[0], left[1], left[2]), reach, 4);
+      boolean isLast = grid.cuts().indexOf(cut) == grid.cuts().size() - 1;
+      Vec3 pixels = new Vec3(left[0], left[1], left[2]);
+      slices = new NaiveThinSlices(cells, cut, isLast, pixels, reach, 4);
       cells = slices;
       left[cut.axis()] /= cut.perVoxel();
     }
@@ -60,7 +65,8 @@ final class NaiveThinSlices implements Cells {
 
   /** Returns the slices of cells that are not cut along an axis; terraces on them are not bent. */
   static NaiveThinSlices ofWholeCells(Cells cells, int axis, Vec3 edges) {
-    return new NaiveThinSlices(cells, new AxisCut(axis, 1), edges, 16, Double.POSITIVE_INFINITY);
+    AxisCut whole = new AxisCut(axis, 1);
+    return new NaiveThinSlices(cells, whole, true, edges, 16, Double.POSITIVE_INFINITY);
   }
 
   /** Returns the axis along which the cells were cut last. */
@@ -132,7 +138,19 @@ final class NaiveThinSlices implements Cells {
     }
     int solidSlice = solidBelow ? lower : lower + 1;
     double height = height(u, v, solidSlice, solidBelow ? 1 : -1);
-    return Math.abs(fromMiddle(cell, solidSlice)) < height;
+    return Math.abs(fromMiddle(cell, solidSlice)) < betweenMiddles(height);
+  }
+
+  /**
+   * Returns a height that leaves their bits to the cells that hold the middles of both voxels, if
+   * this is the last cut.
+   */
+  private double betweenMiddles(double height) {
+    if (!isLast) {
+      return height;
+    }
+    double half = 0.5 + 1e-6;
+    return Math.max(half, Math.min(perVoxel - half, height));
   }
 
   /** Returns the lower of the two slices between whose middles the centre of a cell lies. */
@@ -193,7 +211,7 @@ final class NaiveThinSlices implements Cells {
 
   /** Returns how far a column is solid beyond the middle of a slice, in cells. */
   double height(int u, int v, int slice, int step) {
-    double inside = distance(u, v, slice, false);
+    double inside = distanceInBoth(u, v, slice, slice + step, false);
     double outside = distance(u, v, slice + step, true);
     double fraction;
     if (inside < reach && outside < reach) {
@@ -208,7 +226,7 @@ final class NaiveThinSlices implements Cells {
     } else {
       fraction = 0.5;
     }
-    return Math.max(1e-6, Math.min(perVoxel, fraction * perVoxel));
+    return Math.min(perVoxel, fraction * perVoxel + 1e-6);
   }
 
   /** The parabola through two outlines and a third one, as far as those are known. */
@@ -238,7 +256,7 @@ final class NaiveThinSlices implements Cells {
   private double end(int u, int v, int last, int before, boolean solid) {
     double near = distance(u, v, last, solid);
     double far = distanceOpposite(u, v, last, solid);
-    double whole = distance(u, v, before, solid);
+    double whole = distanceInBoth(u, v, before, last, solid);
     if (whole >= reach && far > reach - 1) {
       return near / (near + reach);
     }
@@ -256,7 +274,12 @@ final class NaiveThinSlices implements Cells {
    * most the reach; -0.5 if the pixel is of that kind itself.
    */
   private double distance(int u, int v, int slice, boolean solid) {
-    double length = Math.sqrt(findNearest(u, v, slice, solid));
+    return distanceInBoth(u, v, slice, slice, solid);
+  }
+
+  /** Returns the same for the nearest pixel that is of a kind in two slices. */
+  private double distanceInBoth(int u, int v, int slice, int other, boolean solid) {
+    double length = Math.sqrt(findNearest(u, v, slice, other, solid));
     if (length >= reach + 1) {
       return reach;
     }
@@ -271,14 +294,16 @@ final class NaiveThinSlices implements Cells {
    * Finds the nearest pixel: of equals the one of least |dv|, then low v, then high u. Returns the
    * square of its distance, in shortest edges; that of a pixel beyond the reach if there is none.
    */
-  private double findNearest(int u, int v, int slice, boolean solid) {
+  private double findNearest(int u, int v, int slice, int other, boolean solid) {
     double best = (reach + 1) * (reach + 1);
     for (int off = 0; off <= reach; off++) {
       for (int dv : new int[] {-off, off}) {
         for (int along = 0; along <= reach; along++) {
           for (int du : new int[] {along, -along}) {
             double square = du * du * (edgeU * edgeU) + dv * dv * (edgeV * edgeV);
-            if (square < best && isSolidVoxel(u + du, v + dv, slice) == solid) {
+            if (square < best
+                && isSolidVoxel(u + du, v + dv, slice) == solid
+                && isSolidVoxel(u + du, v + dv, other) == solid) {
               best = square;
               nearestU = du;
               nearestV = dv;
@@ -291,7 +316,7 @@ final class NaiveThinSlices implements Cells {
   }
 
   private double distanceOpposite(int u, int v, int slice, boolean solid) {
-    double scale = 1 / Math.sqrt(findNearest(u, v, slice, solid));
+    double scale = 1 / Math.sqrt(findNearest(u, v, slice, slice, solid));
     for (int steps = 1; steps < reach; steps++) {
       int du = (int) Math.floor(steps * scale * nearestU + 0.5);
       int dv = (int) Math.floor(steps * scale * nearestV + 0.5);

@@ -9,6 +9,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.RandomCases;
@@ -79,6 +80,62 @@ class ThinSlicesTest {
       }
       assertEquals((200 - x - 0.5) / 9 * 3, height, 0.75, "at x=" + x);
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1.06, 1.2, 1.5, 1.7, 2, 2.5, 3, 7.3})
+  void theCellInTheMiddleOfAVoxelHasItsBit(double ratio) {
+    AxisCut cut = new AxisCut(2, ratio);
+    for (Solid solid : solids()) {
+      fill(solid);
+      ThinSlices slices = ThinSlices.of(ThinGrid.ofBits(edges(2, ratio)), edges(2, ratio));
+      for (int n = 0; n < 2000; n++) {
+        int i = random.nextInt(EDGE);
+        int j = random.nextInt(EDGE);
+        int k = random.nextInt(EDGE);
+        boolean cell = slices.isSolid(scene, i, j, cut.middleOf(k));
+        assertEquals(bits.get(i, j, k), cell, () -> i + "," + j + "," + k + " seed=" + SEED);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1.06, 1.2, 1.3, 1.5, 2, 2.5, 3, 5})
+  void aWallOneSliceThickStaysClosed(double ratio) {
+    for (int n = 0; n < 8; n++) {
+      Vec3 normal = new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
+      normal.mul(1 / normal.length(), normal);
+      fill((i, j, k) -> Math.abs(fromMiddle(normal, i, j, (k + 0.5) * ratio - 0.5)) <= ratio / 2);
+      ThinSlices slices = ThinSlices.of(ThinGrid.ofBits(edges(2, ratio)), edges(2, ratio));
+      for (int x = 30; x < 60; x++) {
+        for (int y = 30; y < 60; y++) {
+          for (int z = 30; z < 60; z++) {
+            assertNoHole(slices, normal, new int[] {x, y, z}, ratio);
+          }
+        }
+      }
+    }
+  }
+
+  /** Checks that an empty cell and the next ones along the axes lie on one side of a wall. */
+  private void assertNoHole(ThinSlices slices, Vec3 normal, int[] cell, double ratio) {
+    if (slices.isSolid(scene, cell[0], cell[1], cell[2])) {
+      return;
+    }
+    double height = fromMiddle(normal, cell[0], cell[1], cell[2]);
+    for (int axis = 0; axis < 3; axis++) {
+      int[] next = cell.clone();
+      next[axis]++;
+      double nextHeight = fromMiddle(normal, next[0], next[1], next[2]);
+      assertTrue(
+          height * nextHeight > 0 || slices.isSolid(scene, next[0], next[1], next[2]),
+          () -> "seed=" + SEED + " ratio=" + ratio + " normal=" + normal + " at " + cell[0]);
+    }
+  }
+
+  /** Returns the height of a cell's centre above a plane, in cells; the edges are all 1. */
+  private static double fromMiddle(Vec3 normal, double x, double y, double z) {
+    return normal.x * (x - 44.7) + normal.y * (y - 45.1) + normal.z * (z - 45.3);
   }
 
   @Test
