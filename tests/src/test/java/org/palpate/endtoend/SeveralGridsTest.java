@@ -193,11 +193,25 @@ class SeveralGridsTest {
   }
 
   @Test
-  void facesAreNotComparedOnSeveralGrids() {
+  void aGuideToAFitTakesBodiesOfSeveralGrids() {
     List<Object> fit = new ArrayList<>(List.of("touch", "--scene", scene, "--headless"));
     fit.addAll(List.of("--seconds", 0.3, "--guide", "fit"));
-    String refusal = CommandRun.of(fit.toArray()).mustRefuse();
-    assertTrue(refusal.contains("fracture faces are compared on one grid"), refusal);
+    CommandRun.of(fit.toArray()).mustSucceed();
+  }
+
+  @Test
+  void marginsAndElasticBodiesNeedOneGrid() throws IOException {
+    List<Object> protect = new ArrayList<>(List.of("touch", "--scene", scene, "--headless"));
+    protect.addAll(List.of("--seconds", 0.3, "--carve", 5, "--protect", "ball:1"));
+    String refusal = CommandRun.of(protect.toArray()).mustRefuse();
+    assertTrue(refusal.contains("margins are for bodies of one grid"), refusal);
+    String soft =
+        "{\"bodies\": [{\"name\": \"slab\", \"volume\": \"slab.nrrd\", \"mobility\": \"elastic\","
+            + " \"young_pa\": 20000}, {\"name\": \"ball\", \"volume\": \"ball.nrrd\","
+            + " \"segment\": \"label:3\"}]}";
+    Path elastic = Files.writeString(file("soft.json"), soft);
+    refusal = CommandRun.of("touch", "--scene", elastic, "--headless").mustRefuse();
+    assertTrue(refusal.contains("need one grid"), refusal);
   }
 
   @Test

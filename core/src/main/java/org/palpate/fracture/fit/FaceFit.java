@@ -2,6 +2,7 @@ package org.palpate.fracture.fit;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -81,7 +82,7 @@ public final class FaceFit {
   private record Pair(Vec3 arm, Vec3 direction, double distanceMm, double areaMm2) {}
 
   /**
-   * Prepares fits.
+   * Prepares fits of fragments on one grid.
    *
    * @param grid the grid of all fragments at rest
    * @param fragments the voxels of each fragment at rest
@@ -89,8 +90,19 @@ public final class FaceFit {
    *     does not determine how far apart the fragments are
    */
   public FaceFit(VoxelGrid grid, List<BitCube> fragments, OptionalDouble gapMm) {
+    this(Collections.nCopies(fragments.size(), grid), fragments, gapMm);
+  }
+
+  /**
+   * Prepares fits of fragments on grids of their own.
+   *
+   * @param grids the grid of each fragment
+   * @param fragments the voxels of each fragment at rest
+   * @param gapMm the width of the gap, or empty, as for one grid
+   */
+  public FaceFit(List<VoxelGrid> grids, List<BitCube> fragments, OptionalDouble gapMm) {
     this.gapMm = gapMm;
-    surfaces = new FragmentSurfaces(grid, fragments);
+    surfaces = new FragmentSurfaces(grids, fragments);
     edgeMm = surfaces.edgeMm();
     line = new FaceLine(edgeMm);
   }

@@ -33,7 +33,7 @@ record FragmentSurface(
     bits.forEachRimVoxel((i, j, k) -> rim[0]++);
     long stride = 1 + (rim[0] - 1) / MOST_POINTS;
     Vec3 spacing = grid.spacingMm();
-    double edgeMm = Math.cbrt(spacing.x * spacing.y * spacing.z);
+    double edgeMm = edgeMm(grid);
     double mostMm = MOST_EDGES * Math.max(spacing.x, Math.max(spacing.y, spacing.z));
     PosedBits atRest = new PosedBits(bits, grid, new Pose());
     SmoothedBits smoothed = new SmoothedBits(atRest, FaceLine.SIGMA);
@@ -61,6 +61,12 @@ record FragmentSurface(
         stride * edgeMm * edgeMm,
         centroid,
         Math.max(edgeMm, rmsDistanceMm(points, centroid)));
+  }
+
+  /** Returns the edge of a cube as large as a voxel of a grid, mm. */
+  static double edgeMm(VoxelGrid grid) {
+    Vec3 spacing = grid.spacingMm();
+    return Math.cbrt(spacing.x * spacing.y * spacing.z);
   }
 
   private static double rmsDistanceMm(List<Vec3> points, Vec3 from) {

@@ -10,7 +10,10 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.fracture.PosedBits;
 
-/** The surfaces of all fragments, each found when it is needed first. One thread. */
+/**
+ * The surfaces of all fragments, each found when it is needed first. Each fragment has a grid of
+ * its own, or all share one. One thread.
+ */
 final class FragmentSurfaces {
   /** The longest distance between faces that face each other, mm. */
   static final double REACH_MM = 4;
@@ -20,20 +23,25 @@ final class FragmentSurfaces {
   /** The least cosine between a point's normal and the mean of its face. */
   private static final double FACE_COSINE = 0.5;
 
-  private final VoxelGrid grid;
+  private final List<VoxelGrid> grids;
   private final List<BitCube> fragments;
   private final FragmentSurface[] found;
   private final double edgeMm;
 
-  FragmentSurfaces(VoxelGrid grid, List<BitCube> fragments) {
-    this.grid = grid;
+  /**
+   * Prepares surfaces.
+   *
+   * @param grids the grid of each fragment
+   * @param fragments the voxels of each fragment at rest
+   */
+  FragmentSurfaces(List<VoxelGrid> grids, List<BitCube> fragments) {
+    this.grids = List.copyOf(grids);
     this.fragments = List.copyOf(fragments);
     found = new FragmentSurface[fragments.size()];
-    Vec3 spacing = grid.spacingMm();
-    edgeMm = Math.cbrt(spacing.x * spacing.y * spacing.z);
+    edgeMm = grids.stream().mapToDouble(FragmentSurface::edgeMm).max().orElse(Double.NaN);
   }
 
-  /** Returns the edge of a cube as large as a voxel, mm. */
+  /** Returns the edge of a cube as large as a voxel, mm; of several grids, the longest one. */
   double edgeMm() {
     return edgeMm;
   }
@@ -41,15 +49,16 @@ final class FragmentSurfaces {
   /** Returns the surface of a fragment at rest. */
   FragmentSurface of(int fragment) {
     if (found[fragment] == null) {
-      found[fragment] = FragmentSurface.of(fragments.get(fragment), grid);
+      found[fragment] = FragmentSurface.of(fragments.get(fragment), grids.get(fragment));
     }
     return found[fragment];
   }
 
   /** Returns the smoothed occupancy of a fragment at its pose, from rest to present, world mm. */
   SmoothedBits smoothed(int fragment, List<Pose> poses) {
-    PosedBits posed = new PosedBits(fragments.get(fragment), grid, poses.get(fragment));
-    return new SmoothedBits(posed, FaceLine.SIGMA);
+    return new SmoothedBits(
+        new PosedBits(fragments.get(fragment), grids.get(fragment), poses.get(fragment)),
+        FaceLine.SIGMA);
   }
 
   /**

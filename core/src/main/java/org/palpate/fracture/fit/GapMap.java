@@ -34,11 +34,11 @@ public final class GapMap {
   /**
    * Prepares maps.
    *
-   * @param grid the grid of all fragments at rest
+   * @param grids the grid of each fragment
    * @param fragments the voxels of each fragment at rest
    */
-  public GapMap(VoxelGrid grid, List<BitCube> fragments) {
-    surfaces = new FragmentSurfaces(grid, fragments);
+  public GapMap(List<VoxelGrid> grids, List<BitCube> fragments) {
+    surfaces = new FragmentSurfaces(grids, fragments);
     line = new FaceLine(surfaces.edgeMm());
   }
 

@@ -10,6 +10,8 @@ import org.junit.jupiter.api.Test;
 import org.palpate.force.guide.FitTarget;
 import org.palpate.fracture.Residual;
 import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -80,6 +82,41 @@ class FaceFitTest {
     for (int n = 0; n < 6; n++) {
       assertTrue(determined(fit, n) > 0.8, "direction " + n + ": " + determined(fit, n));
     }
+  }
+
+  @Test
+  void findsThePlaceOfABlockOnAGridOfItsOwn() {
+    Quaternion turn = new Quaternion().setRotationVector(new Vec3(0.1, -0.2, 0.6));
+    RigidTransform turned =
+        new RigidTransform(
+            turn.rotate(new Vec3(1, 0, 0), new Vec3()),
+            turn.rotate(new Vec3(0, 1, 0), new Vec3()),
+            turn.rotate(new Vec3(0, 0, 1), new Vec3()),
+            new Vec3(9, -14, 14));
+    VoxelGrid fine = new VoxelGrid(96, 80, 64, new Vec3(0.5, 0.6, 0.8), turned);
+    BitCube above = new BitCube(96, 80, 64);
+    Vec3 at = new Vec3();
+    for (int k = 0; k < 64; k++) {
+      for (int j = 0; j < 80; j++) {
+        for (int i = 0; i < 96; i++) {
+          fine.gridToWorld(at.set(i + 0.5, j + 0.5, k + 0.5), at);
+          boolean isInBlock =
+              at.x >= 8 && at.x < 40 && at.y >= 8 && at.y < 40 && at.z >= 8 && at.z < 40;
+          if (isInBlock && at.z >= HILLS.heightAt(at.x, at.y)) {
+            above.set(i, j, k);
+          }
+        }
+      }
+    }
+    FaceFit fit =
+        new FaceFit(
+            List.of(GRID, fine), List.of(blocks(HILLS).get(0), above), OptionalDouble.of(0));
+    Pose wrong = moved(0.7, -0.6, 0.9, new Vec3(0.03, -0.02, 0.04));
+    FitTarget found = fit.fit(1, other -> false, List.of(new Pose(), wrong)).orElseThrow();
+    Vec3 centroid = Residual.centroid(new PosedBits(above, fine, new Pose()));
+    assertEquals(0, found.pose().translation.sub(centroid, centroid).length(), 0.1);
+    // Two voxelizations of one surface do not fit each other as well as two halves of one.
+    assertEquals(0, found.pose().rotation.angle(), Math.toRadians(0.5));
   }
 
   @Test

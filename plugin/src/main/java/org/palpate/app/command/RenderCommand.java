@@ -261,7 +261,6 @@ public final class RenderCommand implements Callable<Integer> {
 
   private void showGaps(SceneLoader loader, SegmentedVolume segments, List<RigidTransform> poses) {
     if (gaps) {
-      SurfaceOptions.requireOneGrid(segments);
       GapColours.show(loader, segments, poses);
     }
   }

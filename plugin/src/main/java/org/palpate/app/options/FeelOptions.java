@@ -134,17 +134,11 @@ public final class FeelOptions {
   /**
    * Returns what finds the fits of the fragments in a scene; empty without a guide to a fit.
    *
-   * @throws PalpateException exit code 2, if the gap is wrong, or the fragments have several grids
+   * @throws PalpateException exit code 2, if the gap is wrong
    */
   public Optional<FaceFit> faceFit(SegmentedVolume fragments) {
-    if (fit().isPresent() && !fragments.hasOneGrid()) {
-      throw PalpateException.wrongUse(
-          "fracture faces are compared on one grid, and the bodies have several",
-          "--guide fit",
-          "take all bodies of the scene from one volume, or leave the guide out");
-    }
     List<BitCube> cubes = fragments.segments().stream().map(Segment::bits).toList();
-    return fit().map(text -> new FaceFit(fragments.grid(), cubes, gapMm(text)));
+    return fit().map(text -> new FaceFit(fragments.grids(), cubes, gapMm(text)));
   }
 
   /** Returns what hands fits over to the guide. */

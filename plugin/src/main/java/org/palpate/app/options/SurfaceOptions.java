@@ -18,7 +18,6 @@ import org.palpate.scene.DeformationColour;
 import org.palpate.scene.DeformationColour.Measure;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.volume.ScalarVolume;
-import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Option;
 
@@ -206,19 +205,5 @@ public final class SurfaceOptions {
               : Optional.empty());
     }
     return ranges;
-  }
-
-  /**
-   * Refuses a gap map of bodies that have several grids.
-   *
-   * @throws PalpateException exit code 2, if they have
-   */
-  public static void requireOneGrid(SegmentedVolume fragments) {
-    if (!fragments.hasOneGrid()) {
-      throw PalpateException.wrongUse(
-          "gaps are measured on one grid, and the bodies have several",
-          "--gaps",
-          "take all bodies of the scene from one volume");
-    }
   }
 }

@@ -45,18 +45,15 @@ public final class GapColours {
   }
 
   private static GapMap map(SegmentedVolume fragments) {
-    return new GapMap(fragments.grid(), fragments.segments().stream().map(Segment::bits).toList());
+    return new GapMap(fragments.grids(), fragments.segments().stream().map(Segment::bits).toList());
   }
 
   /**
-   * Adds the key that shows or hides the colours, which need fragments of one grid.
+   * Adds the key that shows or hides the colours.
    *
    * @param input the keys of the window
    */
   public void addTo(WindowInput input) {
-    if (!fragments.hasOneGrid()) {
-      return;
-    }
     input.onKey('g', "gap map: distance to the facing fracture face", () -> isWanted = !isWanted);
   }
 
@@ -73,7 +70,12 @@ public final class GapColours {
     }
     if (wanted != NONE && (wanted != coloured || !poses.equals(seen))) {
       Optional<SurfaceTint> tint =
-          tint(map, wanted, other -> groups.moveTogether(wanted, other), poses, fragments.grid());
+          tint(
+              map,
+              wanted,
+              other -> groups.moveTogether(wanted, other),
+              poses,
+              fragments.grid(wanted));
       view.withSurfaces(surfaces -> surfaces.tint(wanted, tint));
       seen = poses;
     }
@@ -98,7 +100,7 @@ public final class GapColours {
       SceneLoader surfaces, SegmentedVolume fragments, List<RigidTransform> poses) {
     GapMap map = map(fragments);
     for (int n = 0; n < poses.size(); n++) {
-      surfaces.tint(n, tint(map, n, other -> false, poses, fragments.grid()));
+      surfaces.tint(n, tint(map, n, other -> false, poses, fragments.grid(n)));
     }
   }
 
