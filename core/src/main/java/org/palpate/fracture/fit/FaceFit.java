@@ -59,6 +59,12 @@ public final class FaceFit {
 
   private static final double NARROWING_EDGES = 0.15;
 
+  /**
+   * A line counts one half if its deep occupancy is less than 1 by this. Near the skin, smoothed
+   * voxels do not tell exactly where a face is, and the errors of facing points do not cancel.
+   */
+  private static final double HALF_COUNTED_LOSS = 0.1;
+
   /** Distances that are farther apart than this are independent, voxel edges. */
   private static final double INDEPENDENT_EDGES = 3.5 * FaceLine.SIGMA;
 
@@ -74,11 +80,15 @@ public final class FaceFit {
   private final FaceLine line;
   private final Quaternion scratch = new Quaternion();
 
-  /** A point of a face that moves, at the start of a fit, and the direction of what it faces. */
+  /**
+   * A point of a face that moves, at the start of a fit, and the direction of what it faces.
+   *
+   * @param loss how much its deep occupancy is less than 1
+   */
   private record Candidate(
-      Vec3 point, Vec3 normal, Vec3 across, SmoothedBits faced, double areaMm2) {}
+      Vec3 point, Vec3 normal, Vec3 across, SmoothedBits faced, double areaMm2, double loss) {}
 
-  /** A candidate that faces a point of another fragment. */
+  /** A candidate that faces a point of another fragment, and the area for which it counts. */
   private record Pair(Vec3 arm, Vec3 direction, double distanceMm, double areaMm2) {}
 
   /**
@@ -144,7 +154,8 @@ public final class FaceFit {
                 new Vec3().set(line.normal()),
                 each.direction(),
                 smoothed[each.other()],
-                stride * surfaces.of(each.fragment()).areaMm2()));
+                stride * surfaces.of(each.fragment()).areaMm2(),
+                1 - line.deepOccupancy()));
       }
     }
     return candidates;
@@ -186,7 +197,9 @@ public final class FaceFit {
         normal.sub(line.normal(), direction);
         direction.mul(1 / direction.length(), direction);
         double distance = line.point().sub(point, point).dot(direction);
-        pairs.add(new Pair(arm, new Vec3().set(direction), distance, each.areaMm2));
+        double loss = Math.max(each.loss, 1 - line.deepOccupancy()) / HALF_COUNTED_LOSS;
+        double areaMm2 = each.areaMm2 / (1 + loss * loss);
+        pairs.add(new Pair(arm, new Vec3().set(direction), distance, areaMm2));
       }
     }
     return pairs;

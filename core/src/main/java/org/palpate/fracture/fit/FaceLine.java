@@ -32,6 +32,7 @@ final class FaceLine {
   private final Vec3 point = new Vec3();
   private final Vec3 normal = new Vec3();
   private double distanceMm;
+  private double deepOccupancy;
 
   FaceLine(double edgeMm) {
     stepMm = edgeMm / STEPS_PER_EDGE;
@@ -60,6 +61,7 @@ final class FaceLine {
         double t = lowMm + (n - (now - 0.5) / (now - before)) * stepMm;
         if (!(Math.abs(t) > Math.abs(distanceMm))) {
           distanceMm = t;
+          deepOccupancy = deep;
         }
       }
       before = now;
@@ -86,6 +88,11 @@ final class FaceLine {
   /** Returns the distance of the face from the start, mm. */
   double distanceMm() {
     return distanceMm;
+  }
+
+  /** Returns the occupancy deeper in the fragment: 1 well inside the bone, less near its skin. */
+  double deepOccupancy() {
+    return deepOccupancy;
   }
 
   /** Returns the place on the face. */
