@@ -55,6 +55,7 @@ class WrongUseTest {
         "touch --guide align:0,0,1",
         "render --phantom sphere:32 --gaps --out gaps.png",
         "render --phantom fracture:64:2 --gaps --out gaps.stl",
+        "render --phantom fracture:64:2 --poses p.csv --out film.stl",
         "touch --guide fit --headless --phantom sphere:32",
         "touch --guide fit:4 --headless --phantom fracture:64:2",
         "touch --guide fit:wide --headless --phantom fracture:64:2",

@@ -1,9 +1,9 @@
 package org.palpate.app.command;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -30,6 +30,7 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.host.ContactScene;
 import org.palpate.host.placing.GapColours;
 import org.palpate.io.file.AtomicFile;
+import org.palpate.io.table.BodyPose;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.scene.SceneLoader;
@@ -48,12 +49,10 @@ import org.palpate.scene.window.Picture;
 import org.palpate.tool.MadeTool;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
-import picocli.CommandLine.TypeConversionException;
 
 /** Renders a picture of a volume's segments, or exports their surface. */
 @Command(
@@ -72,6 +71,7 @@ import picocli.CommandLine.TypeConversionException;
       "  palpate render --phantom block --elastic block=young:20e3 --trajectory t.csv --out p.png",
       "  palpate render --phantom torus:96 --tool capsule:3,20 --trajectory t.csv --out held.png",
       "  palpate render --phantom fracture --gaps --out gaps.png",
+      "  palpate render --phantom fracture --poses t.poses.csv --out reduction.gif",
       "  palpate render --volume labels.nrrd --out labels.obj",
       "  palpate render --volume labels.nrrd --out print.stl --separate"
     })
@@ -101,6 +101,8 @@ public final class RenderCommand implements Callable<Integer> {
           "--slices",
           "--gaps",
           "--clip",
+          FilmOptions.POSES,
+          FilmOptions.PICTURES,
           SurfaceOptions.DEFORMED);
 
   @Spec private CommandSpec spec;
@@ -111,14 +113,16 @@ public final class RenderCommand implements Callable<Integer> {
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
+  @Mixin private FilmOptions film;
 
   @Option(
       names = "--out",
       paramLabel = "FILE",
       required = true,
       description = {
-        "The file to write: .png for a picture, .stl, .ply or .obj for the surfaces. An .obj has a"
-            + " group for each segment, and its colours in an .mtl beside it."
+        "The file to write: .png for a picture, .gif for a film of bodies that --poses moves, .stl,"
+            + " .ply or .obj for the surfaces. An .obj has a group for each segment, and its"
+            + " colours in an .mtl beside it."
       })
   private Path outFile;
 
@@ -205,8 +209,7 @@ public final class RenderCommand implements Callable<Integer> {
     boolean surfaceOnly = SurfaceExport.isSurfaceName(outFile);
     checkOptionCombination(surfaceOnly);
     VolumeSource source = VolumeSource.open(volume);
-    List<Path> inputs = new ArrayList<>(source.files());
-    Optional.ofNullable(trajectory).ifPresent(inputs::add);
+    List<Path> inputs = inputs(source);
     if (tool.isRigid() && trajectory != null) {
       made = Optional.of(tool.make(source));
       inputs.addAll(made.get().files());
@@ -234,6 +237,7 @@ public final class RenderCommand implements Callable<Integer> {
     long started = System.nanoTime();
     int threads = Runtime.getRuntime().availableProcessors();
     List<RigidTransform> poses = Placement.transforms(source.placements());
+    List<BodyPose> moves = film.read(segments);
     try (SceneLoader loader =
         poses.isEmpty()
             ? new SceneLoader(model, segments, greys, threads)
@@ -251,12 +255,19 @@ public final class RenderCommand implements Callable<Integer> {
             .forEach(spec.commandLine().getOut()::println);
         spec.commandLine().getOut().flush();
       } else {
-        report.put("draw_ms", drawPicture(model));
+        report.put("draw_ms", drawPicture(model, loader, moves));
       }
     }
     report.putVolume(source, segments.segments());
     report.write();
     return 0;
+  }
+
+  private List<Path> inputs(VolumeSource source) {
+    List<Path> inputs = new ArrayList<>(source.files());
+    Optional.ofNullable(trajectory).ifPresent(inputs::add);
+    film.table().ifPresent(inputs::add);
+    return inputs;
   }
 
   private void showGaps(SceneLoader loader, SegmentedVolume segments, List<RigidTransform> poses) {
@@ -287,6 +298,10 @@ public final class RenderCommand implements Callable<Integer> {
           "--gaps",
           "leave it out, or choose --scene FILE.json or --phantom fracture");
     }
+    film.check(
+        outFile,
+        volume.isPlaced(),
+        spec.commandLine().getParseResult().hasMatchedOption(FilmOptions.PICTURES));
     surface.check();
     checkTool();
     surface.checkDeformed(elastic);
@@ -350,11 +365,13 @@ public final class RenderCommand implements Callable<Integer> {
           "try --stereo side-by-side");
     }
     String name = outFile.toString().toLowerCase(Locale.ROOT);
-    if (!name.endsWith(".png") && !SurfaceExport.isSurfaceName(outFile)) {
+    if (!name.endsWith(".png")
+        && !FilmOptions.isFilm(outFile)
+        && !SurfaceExport.isSurfaceName(outFile)) {
       throw PalpateException.wrongUse(
           "this kind of file cannot be written",
           "--out " + outFile,
-          "use .png, .stl, .ply or .obj");
+          "use .png, .gif, .stl, .ply or .obj");
     }
   }
 
@@ -415,7 +432,8 @@ public final class RenderCommand implements Callable<Integer> {
     return (System.nanoTime() - nanos) / 1e6;
   }
 
-  private double drawPicture(SceneModel model) throws IOException {
+  private double drawPicture(SceneModel model, SceneLoader bodies, List<BodyPose> moves)
+      throws IOException {
     double aspect = (double) width / height;
     model.look(chosenView(model.state()), aspect);
     model.moveCamera(camera -> (upsideDown ? camera.upsideDown() : camera).zoom(1 / zoom), false);
@@ -423,9 +441,14 @@ public final class RenderCommand implements Callable<Integer> {
     opacities.forEach((name, opacity) -> setOpacity(model, name, opacity));
     try (OffscreenRenderer scene = new OffscreenRenderer(width, height, SMOOTHING_SCALE)) {
       long started = System.nanoTime();
+      if (FilmOptions.isFilm(outFile)) {
+        write(file -> film.draw(moves, bodies, model, scene, file));
+        return millisSince(started);
+      }
+      FilmOptions.move(moves, bodies);
       Picture picture = scene.draw(model.state());
       double millis = millisSince(started);
-      writePicture(picture);
+      write(file -> ImageIO.write(picture.toImage(), "png", file));
       return millis;
     } catch (GraphicsException e) {
       throw PalpateException.failed(e.what(), "render", e.remedy(), e);
@@ -455,33 +478,20 @@ public final class RenderCommand implements Callable<Integer> {
     }
   }
 
-  private void writePicture(Picture picture) {
+  /** Writes pictures to a stream. */
+  private interface PictureWriter {
+    void write(OutputStream out) throws IOException;
+  }
+
+  private void write(PictureWriter pictures) {
     try (AtomicFile file = new AtomicFile(outFile)) {
-      ImageIO.write(picture.toImage(), "png", file.stream());
+      pictures.write(file.stream());
       file.commit();
       spec.commandLine()
           .getOut()
           .println("written: " + outFile + ": " + width + " x " + height + " pixels");
     } catch (IOException e) {
       throw OutputPaths.failed(outFile, e);
-    }
-  }
-
-  /** Converts a name with hyphens. */
-  static final class StereoConverter implements ITypeConverter<Stereo> {
-    @Override
-    public Stereo convert(String name) {
-      return Arrays.stream(Stereo.values())
-          .filter(stereo -> name(stereo).equals(name))
-          .findFirst()
-          .orElseThrow(
-              () ->
-                  new TypeConversionException(
-                      "there is no " + name + ": choose off, anaglyph or side-by-side"));
-    }
-
-    private static String name(Stereo stereo) {
-      return stereo.name().toLowerCase(Locale.ROOT).replace('_', '-');
     }
   }
 }
