@@ -53,6 +53,8 @@ class WrongUseTest {
         "touch --guide path:",
         "touch --guide path:/no/such/file.csv --headless",
         "touch --guide align:0,0,1",
+        "info --phantom sphere:32 --fit 0",
+        "info --phantom fracture:64:2 --fit 9",
         "render --phantom sphere:32 --gaps --out gaps.png",
         "render --phantom fracture:64:2 --gaps --out gaps.stl",
         "render --phantom fracture:64:2 --poses p.csv --out film.stl",

@@ -55,6 +55,7 @@ import picocli.CommandLine.Spec;
       "  palpate info --volume scan.nii.gz --export for-imagej.tif",
       "  palpate info --volume scan.nrrd --segment 'jaw=>=1500' --fracture 4 --export parts.nrrd",
       "  palpate info --volume jaw.nrrd --fracture 4 --export parts.nrrd --save-scene jaw.json",
+      "  palpate info --scene jaw.json --fit 1 --save-scene proposed.json",
       "  palpate info --volume parts.nrrd --split components:500 --export parts2.nrrd",
       "  palpate info --volume scan.nrrd --crop 10..99,0..63,5..40 --resample 1 --export s.nrrd",
       "  palpate info --volume slices.raw --raw 256x256x113:u16be:1,1,2",
@@ -67,6 +68,7 @@ public final class InfoCommand implements Callable<Integer> {
   @Mixin private FragmentOptions fragments;
   @Mixin private ReshapeOptions reshape;
   @Mixin private PoseOptions savedPoses;
+  @Mixin private ReassemblyOption reassembly;
 
   @Option(
       names = "--export",
@@ -87,6 +89,7 @@ public final class InfoCommand implements Callable<Integer> {
     Report report = new Report("info", output.report(), source.files());
     checkExport(source);
     fragments.check(export);
+    reassembly.check(source.placed().isPresent());
     printHeader(source);
     out.flush();
     ValueStatistics statistics = new ValueStatistics(source.header());
@@ -97,14 +100,17 @@ public final class InfoCommand implements Callable<Integer> {
     source.placed().ifPresent(bodies -> printOwnGrids(bodies.rest()));
     printSegments(segments);
     Optional<FractureReport> readings = source.placed().map(FractureReport::new);
-    readings.ifPresent(read -> read.lines().forEach(words -> line("reading", words)));
+    readings.ifPresent(this::printReadings);
+    Optional<PlacedVolume> proposed =
+        reassembly.propose(source.placed(), words -> line("proposal", words));
+    proposed.map(FractureReport::new).ifPresent(this::printReadings);
     if (source.requested().isEmpty()) {
       source.emptySegments(found.labels()).forEach(empty -> line("segment", empty + ": no voxel"));
     }
     if (fragments.isWanted()) {
       exportPlaced(broken(source, segments));
     } else if (fragmentExport().writesPoses()) {
-      exportPlaced(source.placed().get());
+      exportPlaced(proposed.orElseGet(source.placed()::get));
     } else if (export != null) {
       export(source, segments, source.isIntensities(found));
     }
@@ -161,6 +167,10 @@ public final class InfoCommand implements Callable<Integer> {
     } catch (IllegalArgumentException e) {
       throw PalpateException.wrongUse(e.getMessage(), e);
     }
+  }
+
+  private void printReadings(FractureReport readings) {
+    readings.lines().forEach(words -> line("reading", words));
   }
 
   private FragmentExport fragmentExport() {

@@ -1,0 +1,235 @@
+package org.palpate.fracture.fit;
+
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
+import org.palpate.geometry.Vec3;
+
+/**
+ * Scores the fit of a fragment to another at a pose, from rest to rest. Surface points speak for it
+ * that are in contact, or lie on skin that goes on in the skin of the other. Those speak against it
+ * that face the other at a distance or lie inside it. The faces of thin bones are small, so their
+ * skin tells more than they do. One thread an instance.
+ */
+final class Junction {
+  /** The largest cosine between normals that face each other. */
+  private static final double FACING_COSINE = -0.5;
+
+  /** The least cosine between normals of skin that goes on. */
+  private static final double SKIN_COSINE = 0.85;
+
+  /** The distance beyond the nearest point at which the skin of the other is looked at, edges. */
+  private static final double BEYOND_EDGES = 2;
+
+  /** Skin has a nearest point of the other at least this far beside it, edges. */
+  private static final double BESIDE_EDGES = 0.7;
+
+  /** The half width of contact, edges. */
+  private static final double CONTACT_EDGES = 0.6;
+
+  /** Contact counts less the more the normals differ, and nothing from this on, 1 + cosine. */
+  private static final double UNLIKE = 0.08;
+
+  /** The depth from which a point counts as inside, edges. */
+  private static final double INSIDE_EDGES = 1.5;
+
+  /** The largest distance of a point that faces the other, edges. */
+  private static final double OPEN_EDGES = 4;
+
+  private static final double SKIN_WEIGHT = 0.5;
+  private static final double INSIDE_COST = 2;
+  private static final double OPEN_COST = 0.5;
+
+  /** The tolerance of a rough score, and the depth from which points count as inside, edges. */
+  private static final double ROUGH_EDGES = 1.5;
+
+  private static final double ROUGH_INSIDE_EDGES = 3;
+
+  /** A pose with more of the fragment inside the other is not looked at further. */
+  private static final double MOST_INSIDE = 0.15;
+
+  private static final int LEAST_PAIRS = 12;
+  private static final int STEPS = 12;
+  private static final double LEAST_NOISE_EDGES = 0.05;
+
+  /** The longest step, edges. */
+  private static final double STEP_EDGES = 2;
+
+  private final FragmentSurface surface;
+  private final SurfaceCells faced;
+  private final double edgeMm;
+  private final double gapMm;
+  private final AffineMap map = new AffineMap();
+  private final Vec3 at = new Vec3();
+  private final Vec3 normal = new Vec3();
+  private final Vec3 along = new Vec3();
+  private final Vec3 centre = new Vec3();
+  private final Quaternion turn = new Quaternion();
+
+  /**
+   * Creates a junction.
+   *
+   * @param surface the surface of the fragment
+   * @param faced the surface of the other
+   * @param edgeMm the edge of a voxel
+   * @param gapMm the width of the gap between faces that fit
+   */
+  Junction(FragmentSurface surface, SurfaceCells faced, double edgeMm, double gapMm) {
+    this.surface = surface;
+    this.faced = faced;
+    this.edgeMm = edgeMm;
+    this.gapMm = gapMm;
+  }
+
+  /** Moves to the place of a point; whether it is near the other surface. */
+  private boolean goTo(int n) {
+    map.transform(surface.points().get(n), at);
+    Vec3 m = surface.normals().get(n);
+    normal.set(
+        map.mXX * m.x + map.mXY * m.y + map.mXZ * m.z,
+        map.mYX * m.x + map.mYY * m.y + map.mYZ * m.z,
+        map.mZX * m.x + map.mZY * m.y + map.mZZ * m.z);
+    return faced.place(at.x, at.y, at.z) == SurfaceCells.Place.NEAR;
+  }
+
+  private boolean faces(int n) {
+    return goTo(n) && faced.normal().dot(normal) <= FACING_COSINE;
+  }
+
+  /** Returns how well a point is in contact, 0 to 1. */
+  private double contact(int n, double widthMm) {
+    return faces(n) ? bell((faced.heightMm() - gapMm) / widthMm) : 0;
+  }
+
+  /** Returns how well the skin at a point goes on in that of the other, 0 to 1. */
+  private double skin(int n, double widthMm) {
+    if (!goTo(n)) {
+      return 0;
+    }
+    faced.point().sub(at, along);
+    double height = along.dot(normal);
+    along.set(
+        along.x - height * normal.x, along.y - height * normal.y, along.z - height * normal.z);
+    double length = along.length();
+    if (length < BESIDE_EDGES * edgeMm) {
+      return 0;
+    }
+    at.add(along.mul(1 + BEYOND_EDGES * edgeMm / length, along), at);
+    return faced.place(at.x, at.y, at.z) == SurfaceCells.Place.NEAR
+            && faced.normal().dot(normal) >= SKIN_COSINE
+        ? bell(faced.heightMm() / widthMm)
+        : 0;
+  }
+
+  private boolean isInside(int n, double depthMm) {
+    Vec3 p = surface.points().get(n);
+    SurfaceCells.Place place =
+        faced.place(map.x(p.x, p.y, p.z), map.y(p.x, p.y, p.z), map.z(p.x, p.y, p.z));
+    return place == SurfaceCells.Place.DEEP
+        || (place == SurfaceCells.Place.NEAR && faced.heightMm() < -depthMm);
+  }
+
+  private static double bell(double off) {
+    return Math.abs(off) < 1 ? 1 - off * off : 0;
+  }
+
+  /**
+   * Scores a pose that may be off by some edges.
+   *
+   * @param near indices of points around a place where the surfaces may meet
+   * @param whole indices of points of the whole surface
+   * @return 0 to 1
+   */
+  double roughScore(Pose pose, int[] near, int[] whole) {
+    map.set(pose);
+    double inside = 0;
+    for (int n : whole) {
+      inside += isInside(n, ROUGH_INSIDE_EDGES * edgeMm) ? 1 : 0;
+      if (inside > MOST_INSIDE * whole.length) {
+        return 0;
+      }
+    }
+    double widthMm = ROUGH_EDGES * edgeMm;
+    double sum = 0;
+    for (int n : near) {
+      sum += contact(n, widthMm) + SKIN_WEIGHT * skin(n, widthMm);
+    }
+    return Math.max(0, sum / near.length - INSIDE_COST * inside / whole.length);
+  }
+
+  /**
+   * Scores a pose.
+   *
+   * @param points indices of evenly spread points of the whole surface
+   * @return the area that speaks for it less that against it, mm^2
+   */
+  double score(Pose pose, int[] points) {
+    map.set(pose);
+    double sum = 0;
+    for (int n : points) {
+      sum += faceScore(n) + SKIN_WEIGHT * skin(n, CONTACT_EDGES * edgeMm);
+      sum -= isInside(n, INSIDE_EDGES * edgeMm) ? INSIDE_COST : 0;
+    }
+    return sum * surface.areaMm2() * surface.points().size() / points.length;
+  }
+
+  private double faceScore(int n) {
+    if (!faces(n)) {
+      return 0;
+    }
+    double contact = bell((faced.heightMm() - gapMm) / (CONTACT_EDGES * edgeMm));
+    double unlike = (1 + faced.normal().dot(normal)) / UNLIKE;
+    boolean isOpen = contact == 0 && faced.heightMm() < OPEN_EDGES * edgeMm;
+    return isOpen ? -OPEN_COST : contact * Math.max(0, 1 - unlike);
+  }
+
+  /**
+   * Moves a pose so that gaps close and skins go on.
+   *
+   * @param pose is moved
+   * @param points indices of evenly spread points of the whole surface
+   * @param widthMm the distance from which points count nothing
+   */
+  void refine(Pose pose, int[] points, double widthMm) {
+    for (int step = 0; step < STEPS; step++) {
+      map.set(pose);
+      pose.transform(surface.centroid(), centre);
+      FitEquations equations = new FitEquations(surface.leverMm(), true);
+      int pairs = 0;
+      for (int n : points) {
+        double weight = contact(n, widthMm);
+        double residualMm = gapMm - faced.heightMm();
+        if (weight == 0) {
+          weight = SKIN_WEIGHT * skin(n, widthMm);
+          residualMm = -faced.heightMm();
+        }
+        if (weight > 0) {
+          equations.add(at.sub(centre, at), faced.normal(), residualMm, weight);
+          pairs++;
+        }
+      }
+      if (pairs < LEAST_PAIRS) {
+        return;
+      }
+      equations.solve(pairs, LEAST_NOISE_EDGES * edgeMm);
+      move(pose, equations.step());
+    }
+  }
+
+  /** Moves a pose by a step about the centre. */
+  private void move(Pose pose, double[] step) {
+    double square = 0;
+    for (double s : step) {
+      square += s * s;
+    }
+    double part = Math.min(1, STEP_EDGES * edgeMm / Math.sqrt(Math.max(square, Double.MIN_NORMAL)));
+    double turned = part / surface.leverMm();
+    turn.setRotationVector(along.set(turned * step[3], turned * step[4], turned * step[5]));
+    turn.rotate(pose.translation.sub(centre, pose.translation), pose.translation);
+    pose.translation.add(centre, pose.translation);
+    along.set(part * step[0], part * step[1], part * step[2]);
+    pose.translation.add(along, pose.translation);
+    turn.multiply(pose.rotation, pose.rotation);
+    pose.rotation.normalize();
+  }
+}

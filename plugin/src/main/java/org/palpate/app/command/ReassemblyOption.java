@@ -1,0 +1,84 @@
+package org.palpate.app.command;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.palpate.app.options.NumberRange;
+import org.palpate.app.process.PalpateException;
+import org.palpate.body.Mobility;
+import org.palpate.fracture.fit.FaceFit;
+import org.palpate.fracture.fit.Reassembly;
+import org.palpate.io.scene.PlacedVolume;
+import org.palpate.volume.Segment;
+import picocli.CommandLine.Option;
+
+/** The option that proposes where the fragments of a scene belong. */
+final class ReassemblyOption {
+  private static final String NAME = "--fit";
+
+  private static final NumberRange GAP =
+      new NumberRange(NAME, "the width of the gap", 0, FaceFit.MOST_GAP_MM, "mm", "0");
+
+  @Option(
+      names = NAME,
+      paramLabel = "GAP",
+      description = {
+        "Proposes a pose for each movable body of a scene, at which its fracture face fits to that"
+            + " of another wherever it is, some seconds for each pair. --save-scene and"
+            + " --save-transforms write the proposals. GAP is the width of a saw cut in mm, 0 for"
+            + " none."
+      })
+  private Double gapMm;
+
+  /**
+   * Checks the option.
+   *
+   * @param hasBodies whether there are bodies with poses
+   * @throws PalpateException exit code 2, if there is nothing to fit, or the gap is too wide
+   */
+  void check(boolean hasBodies) {
+    GAP.checkGiven(gapMm);
+    if (gapMm != null && !hasBodies) {
+      throw PalpateException.wrongUse(
+          "there are no fragments to fit",
+          NAME,
+          "leave it out, or choose --scene FILE.json or --phantom fracture");
+    }
+  }
+
+  /**
+   * Returns the bodies where they are proposed to be.
+   *
+   * @param bodies where they are
+   * @param line receives a line for each fragment
+   * @return empty if no proposal is wanted
+   */
+  Optional<PlacedVolume> propose(Optional<PlacedVolume> bodies, Consumer<String> line) {
+    return gapMm == null ? Optional.empty() : bodies.map(all -> propose(all, line));
+  }
+
+  private PlacedVolume propose(PlacedVolume bodies, Consumer<String> line) {
+    List<Segment> segments = bodies.rest().segments();
+    Reassembly reassembly =
+        new Reassembly(
+            bodies.rest().grids(),
+            segments.stream().map(Segment::bits).toList(),
+            gapMm,
+            bodies.poses(),
+            n -> bodies.placements().get(n).mobility() != Mobility.MOVABLE);
+    Optional<Reassembly.Joint> joint = reassembly.add();
+    while (joint.isPresent()) {
+      line.accept(
+          String.format(
+              Locale.ROOT,
+              "%s to %s: score %.0f mm^2, the next best %.0f",
+              segments.get(joint.get().fragment()).name(),
+              segments.get(joint.get().other()).name(),
+              joint.get().scoreMm2(),
+              joint.get().nextScoreMm2()));
+      joint = reassembly.add();
+    }
+    return bodies.at(reassembly.poses());
+  }
+}
