@@ -54,6 +54,9 @@ public final class RigidSolver {
   /** A step that lowers the potential by less than this ends its frame, edges. */
   private static final double LEAST_GAIN_EDGES = 1e-3;
 
+  /** Contacts that lie deeper than this below the smooth surface contradict each other, edges. */
+  private static final double DEEP_EDGES = 0.1;
+
   /** A frame that lowers the potential by less than this is stuck, edges. */
   private static final double STUCK_EDGES = 0.02;
 
@@ -467,7 +470,10 @@ public final class RigidSolver {
       double mostRiseMm = Math.min(riseMm, Math.max(0, ceilingMm - last));
       boolean stepped = stepper.step(mostRiseMm, mostMm, pathLeftMm, shortestMm);
       boolean gained = stepped && hasGained(last);
-      if (!gained && motionMm == 0 && stepper.depthMm() > 0 && canContinue(motion)) {
+      if (!gained
+          && motionMm == 0
+          && stepper.depthMm() > DEEP_EDGES * edgeMm
+          && canContinue(motion)) {
         gained = stepper.stepOnFaces(mostMm, maxStepMm - motion.pathMm) && hasGained(last);
       }
       boolean stuck = !gained && ceilingMm - riseMm - potentialMm() < STUCK_EDGES * edgeMm;
