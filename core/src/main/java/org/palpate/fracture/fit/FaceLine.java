@@ -61,7 +61,6 @@ final class FaceLine {
         double t = lowMm + (n - (now - 0.5) / (now - before)) * stepMm;
         if (!(Math.abs(t) > Math.abs(distanceMm))) {
           distanceMm = t;
-          deepOccupancy = deep;
         }
       }
       before = now;
@@ -69,13 +68,13 @@ final class FaceLine {
     return !Double.isNaN(distanceMm) && findNormal(fragment, start, direction);
   }
 
-  /** Computes the gradient of the occupancy over that which is deeper. */
+  /** Computes the deeper occupancy, and the gradient of the occupancy over it. */
   private boolean findNormal(SmoothedBits fragment, Vec3 start, Vec3 direction) {
     double deepMm = distanceMm + DEEP_STEPS * stepMm;
-    double deep = fragment.descent(place(start, direction, deepMm), deepDescent);
+    deepOccupancy = fragment.descent(place(start, direction, deepMm), deepDescent);
     double here = fragment.descent(place(start, direction, distanceMm), normal);
     point.set(at);
-    normal.mul(1 / here, normal).sub(deepDescent.mul(1 / deep, deepDescent), normal);
+    normal.mul(1 / here, normal).sub(deepDescent.mul(1 / deepOccupancy, deepDescent), normal);
     double length = normal.length();
     normal.mul(length > 0 ? 1 / length : 0, normal);
     return length > 0;
