@@ -21,6 +21,7 @@ import org.palpate.app.command.InfoCommand;
 import org.palpate.app.command.RenderCommand;
 import org.palpate.app.command.ReplayCommand;
 import org.palpate.app.command.TouchCommand;
+import org.palpate.fracture.fit.FaceFit;
 import org.palpate.io.file.NumberText;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.OptionSpec;
@@ -95,6 +96,8 @@ class NumericOptionsTest {
               1e-6,
               1e6),
           Ranged.real("render --out x.png", "--zoom", 0.01, 1000),
+          Ranged.whole("render --out x.gif --poses t.poses.csv", "--pictures", 2, 1000),
+          Ranged.real("info --phantom fracture", "--fit", 0, FaceFit.MOST_GAP_MM),
           new Ranged("render --out x.png", "--opacity", "bone=", 0, 1, false),
           Ranged.real("devices --watch hid", "--seconds", 0.001, 1e8),
           Ranged.whole("jitter --list --out jitter", "--seconds", 1, 86_400),
