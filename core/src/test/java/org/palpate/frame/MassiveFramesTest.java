@@ -166,6 +166,7 @@ class MassiveFramesTest {
         double given = 0;
         long touching = 0;
         for (long n = 0; n < frames; n++) {
+          device.forgetWritten();
           last.set(hand);
           for (int axis = 0; axis < 3; axis++) {
             double home = axis == 2 ? 12 : 16;

@@ -46,6 +46,12 @@ public final class ScriptedDevice implements HapticDevice {
     return forces.get(forces.size() - 1);
   }
 
+  /** Forgets the forces and torques that were written, so that a long run does not keep them. */
+  public void forgetWritten() {
+    forces.clear();
+    torques.clear();
+  }
+
   /** Returns the last written torque. */
   public Vec3 lastTorque() {
     return torques.get(torques.size() - 1);
