@@ -137,8 +137,9 @@ public final class HapticLoop implements AutoCloseable {
       watchedSinceNanos = nowNanos;
     }
     supervisedNanos = nowNanos;
+    boolean dangerous = isDangerous(); // Before the start, which is then that of this frame.
     long quietNanos = Math.min(nowNanos - watchedSinceNanos, nowNanos - pacedLoop.lastStartNanos());
-    if (end.get() == null && quietNanos > settings.hangNanos() && isDangerous()) {
+    if (end.get() == null && dangerous && quietNanos > settings.hangNanos()) {
       endByForce();
     }
     return end.get() != null;
@@ -146,7 +147,7 @@ public final class HapticLoop implements AutoCloseable {
 
   /** Whether a thread that stands still leaves a frame unfinished or a force on the device. */
   private boolean isDangerous() {
-    return pacedLoop.hasStarted() && (pacedLoop.isInFrame() || frame.mayExertForce());
+    return pacedLoop.hasStarted() && (!pacedLoop.isBetweenFrames() || frame.mayExertForce());
   }
 
   private void endByForce() {

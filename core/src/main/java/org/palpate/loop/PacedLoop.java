@@ -25,7 +25,7 @@ final class PacedLoop {
   private final AtomicLong firstStartNanos = new AtomicLong();
   private final AtomicLong lastStartNanos = new AtomicLong();
   private final AtomicLong frames = new AtomicLong();
-  private final AtomicBoolean inFrame = new AtomicBoolean();
+  private final AtomicBoolean betweenFrames = new AtomicBoolean();
   private volatile boolean started;
   private volatile boolean stopRequested;
 
@@ -50,10 +50,10 @@ final class PacedLoop {
       FrameOutcome outcome = frame.run(start);
       work.record(clock.nanoTime() - start);
       frames.lazySet(frames.getPlain() + 1);
-      inFrame.lazySet(false);
       if (outcome == FrameOutcome.DEVICE_GONE) {
         return LoopEnd.Cause.DEVICE_GONE;
       }
+      betweenFrames.lazySet(true);
       deadline = nextDeadline(deadline, start);
     }
     return LoopEnd.Cause.STOPPED;
@@ -73,7 +73,7 @@ final class PacedLoop {
     if (lateNanos > settings.periodNanos() / 2) {
       lateFrames.lazySet(lateFrames.getPlain() + 1);
     }
-    inFrame.lazySet(true); // Last, so that who sees it sees when the frame started.
+    betweenFrames.lazySet(false); // Last: whoever reads it also reads when the frame started.
   }
 
   private long nextDeadline(long deadline, long start) {
@@ -91,9 +91,9 @@ final class PacedLoop {
     return started;
   }
 
-  /** Whether a frame has started and not returned. Any thread. */
-  boolean isInFrame() {
-    return inFrame.get();
+  /** Whether a frame has returned and another is to follow that has not started. Any thread. */
+  boolean isBetweenFrames() {
+    return betweenFrames.get();
   }
 
   /** Returns the time at which the last frame started. Any thread. */

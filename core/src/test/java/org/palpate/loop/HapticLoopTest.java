@@ -11,9 +11,11 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.palpate.device.DeviceDecorator;
 import org.palpate.device.ReadStatus;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.PointFrame;
+import org.palpate.geometry.Vec3;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.testing.Floor;
 import org.palpate.testing.ScriptedDevice;
@@ -199,6 +201,33 @@ class HapticLoopTest {
     LoopEnd end = endAfterStandingStill(16, 16, 12);
     assertEquals(LoopEnd.Cause.HUNG, end.cause());
     assertEquals(1, device.closed);
+  }
+
+  @Test
+  void aLastWriteThatDoesNotReturnIsEndedByForceEvenIfTheDeviceHasZeroForce() {
+    HapticLoop[] loops = new HapticLoop[1];
+    ScriptedDevice gone =
+        new ScriptedDevice(
+            (read, state) -> read == 20 ? ReadStatus.DISCONNECTED : fresh(state, read, 16, 16, 12));
+    DeviceDecorator stuck =
+        new DeviceDecorator(gone) {
+          private int writes;
+
+          @Override
+          public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
+            boolean isLast = writes++ == 21; // after 20 frames and the one that found it gone
+            boolean ended = false;
+            for (int tick = 0; tick < 100 && isLast && !ended; tick++) {
+              ended = loops[0].supervise(clock.nowNanos += 100 * MS);
+            }
+            return super.write(forceNewton, torqueNewtonMm);
+          }
+        };
+    loops[0] = new HapticLoop(floor.frame(stuck), settings(), ends::add);
+    loops[0].run();
+    assertEquals(LoopEnd.Cause.HUNG, loops[0].end().cause());
+    assertEquals(1, gone.closed);
+    assertEquals(1, ends.size());
   }
 
   /** Lets the thread stand still for ten seconds before its eleventh frame, and returns the end. */
