@@ -1,5 +1,6 @@
 package org.palpate.body;
 
+import java.util.Arrays;
 import org.palpate.volume.BitCube;
 
 /**
@@ -48,7 +49,7 @@ public final class SolidHeights {
   private double directionY;
   private double directionZ;
 
-  /** 1 more than the number of times that all was forgotten; part of a brick's number. */
+  /** Counts how often all was forgotten, from 1 to 2^32 - 1; the upper half of a brick's number. */
   private long age = 1;
 
   /**
@@ -73,6 +74,10 @@ public final class SolidHeights {
   /** Forgets all heights, after voxels have changed. */
   public void forget() {
     age++;
+    if ((int) age == 0) { // From here on the numbers of bricks would be those of long ago.
+      Arrays.fill(brickAt, 0);
+      age = 1;
+    }
   }
 
   /**

@@ -15,8 +15,8 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Searches all poses of a fragment for the one at which it fits best to another fragment, wherever
- * the two stand. It proposes that pose and moves nothing.
+ * Searches poses of a fragment within 60 mm and 75 degrees of its present one for that at which it
+ * fits best to another fragment. It proposes that pose and moves nothing.
  *
  * <p>Pairs of points around which the surface is rough are laid on pairs of the other surface that
  * have the same distance and angles. {@link Junction} scores each pose roughly, closes the gaps of
@@ -32,8 +32,8 @@ public final class GlobalFit {
 
   private static final long SEED = 1;
 
-  /** The pairs of the fragment that are laid on the other. */
-  private static final int OWN_PAIRS = 20_000;
+  /** The pairs of rough points that are drawn; those that are near enough are laid on the other. */
+  private static final int DRAWS = 20_000;
 
   /** The share of the points that count as rough, and the radius in which normals differ. */
   private static final double ROUGH_SHARE = 0.25;
@@ -194,7 +194,7 @@ public final class GlobalFit {
     int[] own = rough(fragment);
     int[] whole = spread(surface.points().size(), WHOLE_POINTS);
     List<Candidate> all = new ArrayList<>();
-    for (int n = 0; n < OWN_PAIRS; n++) {
+    for (int n = 0; n < DRAWS; n++) {
       int one = own[random.nextInt(own.length)];
       int two = own[random.nextInt(own.length)];
       if (PointPairs.isPair(surface, one, two, edgeMm)) {

@@ -25,7 +25,7 @@ public final class HeightScreen {
   /** After this many normals in a row that are not near the direction, the next one replaces it. */
   private static final int MOST_OTHERS = 16;
 
-  /** A node with several leaves that is not above is not tested again in as many verifications. */
+  /** A node with several leaves that is not above is not tested in this many verifications. */
   private static final byte NODE_WAIT = 16;
 
   private final RigidTool tool;
