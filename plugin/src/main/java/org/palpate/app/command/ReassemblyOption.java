@@ -25,9 +25,9 @@ final class ReassemblyOption {
       paramLabel = "GAP",
       description = {
         "Proposes a pose for each movable body of a scene, at which its fracture face fits to that"
-            + " of another wherever it is, some seconds for each pair. --save-scene and"
-            + " --save-transforms write the proposals. GAP is the width of a saw cut in mm, 0 for"
-            + " none."
+            + " of another within 60 mm and 75 degrees, some seconds for each pair. --save-scene"
+            + " and --save-transforms write the proposals. GAP is the width of a saw cut in mm, 0"
+            + " for none."
       })
   private Double gapMm;
 
