@@ -77,11 +77,14 @@ final class EnergyTank {
 
   /**
    * Returns the largest part s of a force, at most 1, for which {@code before} and s times {@code
-   * byNext} are together at least s^2 times {@code spring}.
+   * byNext} are together at least s^2 times {@code spring}; 0 if there is none.
    */
   private static double affordablePart(double before, double byNext, double spring) {
     if (before + byNext >= spring) {
       return 1;
+    }
+    if (byNext > 2 * spring) {
+      return 0; // The parts for which the work suffices are all above 1.
     }
     double square = byNext * byNext + 4 * spring * before;
     return square > 0 ? Math.max(0, Math.min(1, (byNext + Math.sqrt(square)) / (2 * spring))) : 0;

@@ -143,6 +143,16 @@ class EnergyTankTest {
     assertTrue(part > 0.4, "part " + part);
   }
 
+  @Test
+  void noForceIsLeftIfTheTankStaysOverdrawnThoughTheHandPressesOn() {
+    tank.restart();
+    step(0, -0.01, 0, 0.1);
+    step(-1, 0.49, 0.04, 0);
+    double before = 0.5 * 0.1 * 0.01 - 0.5 * 0.1 * 0.5;
+    assertTrue(before + 0.5 * 0.04 < 0, "all of the force leaves the tank overdrawn");
+    assertEquals(0, force.x);
+  }
+
   /** Forces follow the depth by a stiffness that changes at random. */
   @Test
   void noWalkFromFreeToFreeGains() {
