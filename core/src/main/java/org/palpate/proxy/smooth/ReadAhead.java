@@ -5,7 +5,7 @@ import org.palpate.proxy.smooth.field.OccupancyField;
 
 /**
  * Lets the field read voxels where the point will soon be, in frames that have time for it. A hand
- * that meets a surface, or comes to a new part of it, would else wait for a whole window at once.
+ * that meets a surface, or comes to a new part of it, would otherwise wait for a whole window.
  *
  * <p>It changes no answer. Belongs to the haptic thread; allocates nothing.
  */
@@ -16,16 +16,16 @@ final class ReadAhead {
    */
   private static final double AHEAD_EDGES = 4;
 
-  /** The motion that has a direction. */
+  /** The shortest motion that gives a direction. */
   private static final double MIN_MOTION_EDGES = 1;
 
   private final OccupancyField field;
   private final EdgeUnits units;
 
-  /** The position of the point when its direction was found last. */
+  /** The position of the point when its direction was found last; the grid's origin at first. */
   private final Vec3 from = new Vec3();
 
-  /** The direction of its motion, a unit vector in edges, or 0 until it is known. */
+  /** The direction of its motion, a unit vector in edges; 0 at first. */
   private final Vec3 direction = new Vec3();
 
   private final Vec3 ahead = new Vec3();

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -11,8 +12,11 @@ import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
+import org.palpate.proxy.smooth.field.FieldSample;
 import org.palpate.proxy.smooth.field.OccupancyField;
 import org.palpate.proxy.smooth.field.SeedCell;
+import org.palpate.testing.RandomCases;
+import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 
 /** Reading ahead changes no answer, and takes the work of a new region from the frame there. */
@@ -23,6 +27,10 @@ class ReadAheadTest {
   private static final int MOST_AHEAD = 8 + 3 * 16;
 
   private static CollisionScene ball(double longEdge) {
+    return new CollisionScene(List.of(bitsOfBall(longEdge)));
+  }
+
+  private static BitCube bitsOfBall(double longEdge) {
     BitCube bits = new BitCube(EDGE, EDGE, EDGE);
     for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
       double x = n % EDGE - 48;
@@ -32,7 +40,7 @@ class ReadAheadTest {
         bits.set(n % EDGE, n / EDGE % EDGE, n / (EDGE * EDGE));
       }
     }
-    return new CollisionScene(List.of(bits));
+    return bits;
   }
 
   @ParameterizedTest
@@ -60,6 +68,68 @@ class ReadAheadTest {
     // Terraces at the border of the window look at bricks beyond it.
     assertTrue(3 * left < fresh.interpolatedColumns(), left + " columns left to the evaluation");
     assertTrue(occupancy > 0.1 && occupancy < 0.9, "near the surface " + occupancy);
+  }
+
+  /** Compares two fields that see the same edits; one of them reads ahead at random places. */
+  @ParameterizedTest
+  @CsvSource({"1, 1.2", "1, 2", "1, 5", "2, 3"})
+  void noBitOfAnAnswerDependsOnWhatWasReadAheadBetweenEdits(double y, double z) {
+    BitCube bits = bitsOfBall(z);
+    CollisionScene scene = new CollisionScene(List.of(bits));
+    GridMetric metric = new GridMetric(1, y, z);
+    OccupancyField ahead = OccupancyField.ofBitsOverTerraces(metric);
+    OccupancyField plain = OccupancyField.ofBitsOverTerraces(metric);
+    ahead.use(scene);
+    plain.use(scene);
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    SeedCell seed = new SeedCell();
+    Vec3 above = new Vec3();
+    Vec3 beside = new Vec3();
+    int onSurface = 0;
+    double x = 55;
+    for (int n = 0; n < RandomCases.of(400); n++) {
+      x = Math.max(30, Math.min(66, x + 6 * random.nextDouble() - 3));
+      double height = Math.sqrt(40 * 40 - (x - 48) * (x - 48)) / z;
+      Vec3 place = new Vec3(x, 48.2, 24 + height + 4 * random.nextDouble() / z - 1 / z);
+      above.set(x, 48.2, 24 + height + 5 / z);
+      seed.set(above);
+      if (n % 8 == 0) {
+        editNear(place, bits, random);
+        ahead.forget();
+        plain.forget();
+      }
+      for (int left = random.nextInt(16); left > 0; left--) {
+        beside.set(x + 16 * random.nextDouble() - 8, 44 + 8 * random.nextDouble(), place.z);
+        ahead.readAhead(beside);
+      }
+      FieldSample expected = plain.evaluate(seed, place);
+      FieldSample found = ahead.evaluate(seed, place);
+      String where = "seed=" + Seeds.seed() + " n=" + n + " at " + place;
+      assertEquals(expected.occupancy(), found.occupancy(), where);
+      assertEquals(expected.gx(), found.gx(), where);
+      assertEquals(expected.gy(), found.gy(), where);
+      assertEquals(expected.gz(), found.gz(), where);
+      onSurface += found.occupancy() > 0.01 && found.occupancy() < 0.99 ? 1 : 0;
+      if (n % 64 == 0) {
+        OccupancyField fresh = OccupancyField.ofBitsOverTerraces(metric);
+        fresh.use(scene);
+        assertEquals(fresh.evaluate(seed, place).occupancy(), found.occupancy(), where);
+      }
+    }
+    assertTrue(onSurface >= RandomCases.of(100), "near the surface " + onSurface);
+  }
+
+  private static void editNear(Vec3 place, BitCube bits, SplittableRandom random) {
+    for (int n = 0; n < 20; n++) {
+      int i = (int) place.x + random.nextInt(-6, 7);
+      int j = (int) place.y + random.nextInt(-6, 7);
+      int k = (int) place.z + random.nextInt(-3, 4);
+      if (bits.get(i, j, k)) {
+        bits.clear(i, j, k);
+      } else {
+        bits.set(i, j, k);
+      }
+    }
   }
 
   @Test

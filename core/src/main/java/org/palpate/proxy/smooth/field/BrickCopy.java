@@ -259,7 +259,7 @@ final class BrickCopy {
     private int lowZ;
 
     /** The bricks of the copy that were made, in the order of their numbers. */
-    private int made = COUNT;
+    private int made;
 
     Ahead(BrickSource cells) {
       this.cells = cells;

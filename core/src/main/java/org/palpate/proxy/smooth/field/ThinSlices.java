@@ -292,10 +292,10 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   }
 
   /**
-   * Returns the height below which the centres of solid cells lie. After the last cut, the cell
-   * that holds the middle of a voxel has the voxel's bit, and its correction makes up for that. An
-   * empty voxel thus has an empty cell, from which a flood fill can begin. Earlier cuts have no
-   * corrections, so their bits are rounded to the nearest.
+   * Returns the height below which the centres of solid cells lie. In the last cut, the cell that
+   * holds the middle of what is cut keeps its bit, and its correction makes up for that. So if
+   * voxels are cut along one axis, an empty voxel has an empty cell, from which a flood fill can
+   * begin. An earlier cut has no corrections, so its bits are rounded to the nearest.
    */
   private double roundedHeight(double height) {
     return Math.max(leastHeight, Math.min(mostHeight, height));
