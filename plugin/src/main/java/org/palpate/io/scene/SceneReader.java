@@ -77,8 +77,9 @@ public final class SceneReader {
   private static SceneFill fill(
       JsonFields top, String path, SceneBody body, List<SceneBody> touchable)
       throws VolumeFormatException {
-    if (body.mobility() != Mobility.ELASTIC || !body.pose().sameBits(new Pose())) {
-      throw top.refusal(path, "is a fill, so it must be elastic and have no pose");
+    boolean isPlain = body.pose().sameBits(new Pose()) && body.material().isEmpty();
+    if (body.mobility() != Mobility.ELASTIC || !isPlain) {
+      throw top.refusal(path, "is a fill, so it must be elastic and have no pose or material");
     }
     if (touchable.stream().noneMatch(other -> other.mobility() == Mobility.ELASTIC)) {
       throw top.refusal(path, "is a fill, and no body before it is elastic");

@@ -135,6 +135,8 @@ class SceneFileTest {
         "bodies[1].name is a|{'bodies':[B,B]}",
         "bodies[0].mobility must be|{'bodies':[{'name':'a','volume':'v','mobility':'free'}]}",
         "bodies[1] is a fill, so|{'bodies':[B,{'name':'b','volume':'v','segment':'fill:label:2'}]}",
+        "bodies[1] is a fill, so|{'bodies':[B,{'name':'b','volume':'v','segment':'fill:label:2',"
+            + "'mobility':'elastic','young_pa':1,'material':'friction:0.2'}]}",
         "bodies[1] is a fill, and no body before|{'bodies':[B,{'name':'b','volume':'v',"
             + "'segment':'fill:label:2','mobility':'elastic','young_pa':1}]}",
         "bodies[1].volume must be|{'bodies':[{'name':'a','volume':'v','mobility':'elastic',"
