@@ -2,12 +2,12 @@ package org.palpate.benchmarks.elastic;
 
 /** The pace of the updates in an attack. */
 enum UpdatePace {
-  /** Updates come in time; in some thousand frames they once stop for up to half a second. */
+  /** Updates come in time, but stop for up to half a second once in some thousand frames. */
   USUAL(3_000, 1_000, 500, 60),
 
   /**
    * After almost every update the next ones stop for up to 8 seconds. So each field meets many
-   * frames, and a processor judges many more legs a second, for its time goes into updates.
+   * frames. Updates take most of the time, so a processor then judges many more legs a second.
    */
   RARE(30_000, 33, 8_000, 600);
 

@@ -93,7 +93,7 @@ public final class GapColours {
    * Colours all fragments of a picture.
    *
    * @param surfaces the drawn surfaces, one for each fragment
-   * @param fragments the fragments at rest, on one grid
+   * @param fragments the fragments at rest, each on its own grid
    * @param poses the pose of each fragment, rest to present
    */
   public static void show(
