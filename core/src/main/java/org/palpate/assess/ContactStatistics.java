@@ -68,7 +68,7 @@ public final class ContactStatistics {
     return largestNewton;
   }
 
-  /** {@return when the largest force acted, s} */
+  /** {@return the time of the largest force, s} */
   public double largestAtSeconds() {
     return largestAtSeconds;
   }

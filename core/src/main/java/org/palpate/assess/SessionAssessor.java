@@ -156,12 +156,15 @@ public final class SessionAssessor implements FrameObserver {
     return seconds;
   }
 
-  /** {@return the path of the device after {@link #finish}, mm} */
+  /** {@return the length of the path of the device, mm; complete after {@link #finish}} */
   public double handPathMm() {
     return hand.lengthMm();
   }
 
-  /** {@return the path of the tool after {@link #finish}, or of what the hand held, mm} */
+  /**
+   * {@return the length of the path of the tool, or of what the hand held, mm; complete after
+   * {@link #finish}}
+   */
   public double toolPathMm() {
     return tool.lengthMm();
   }
@@ -181,7 +184,8 @@ public final class SessionAssessor implements FrameObserver {
   }
 
   /**
-   * {@return the force that the hand exceeded in a part of the time in contact, N; 0 without}
+   * {@return the force that the hand exceeded in a part of the time in contact, N; 0 without
+   * contact}
    *
    * @param part the part of the time in contact, from 0 to 1
    */
@@ -199,7 +203,7 @@ public final class SessionAssessor implements FrameObserver {
     return course;
   }
 
-  /** {@return which bodies the hand held after {@link #finish}, in their order} */
+  /** {@return which bodies the hand held, in their order; complete after {@link #finish}} */
   public List<Hold> holds() {
     return holds.holds();
   }

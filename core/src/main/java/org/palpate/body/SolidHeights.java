@@ -25,7 +25,7 @@ public final class SolidHeights {
   /** The binary logarithm of about how many bricks share a place, in cubes that are not large. */
   private static final int BRICKS_PER_PLACE_SHIFT = 2;
 
-  /** 2^64 divided by the golden ratio: multiples of it are spread evenly. */
+  /** 2^64 divided by the golden ratio. Its multiples are spread evenly over the places. */
   private static final long SPREAD = 0x9E37_79B9_7F4A_7C15L;
 
   private final BitCube bits;
@@ -104,9 +104,10 @@ public final class SolidHeights {
   }
 
   /**
-   * Returns a height that no closed solid voxel exceeds that touches a closed box: that of the
-   * highest voxel in the bricks with voxels that touch it. Without a solid in them it is negative
-   * infinity. If there are more than {@link #MOST_BRICKS} such bricks it is infinity.
+   * Returns an upper bound of the heights of the closed solid voxels that touch a closed box. It is
+   * the height of the highest solid voxel in all bricks with a voxel that touches the box. Without
+   * a solid voxel in them it is negative infinity. For more than {@link #MOST_BRICKS} such bricks
+   * it is infinity.
    *
    * @param lowX the least x of the box
    * @param lowY the least y of the box
@@ -114,7 +115,7 @@ public final class SolidHeights {
    * @param highX the largest x of the box
    * @param highY the largest y of the box
    * @param highZ the largest z of the box
-   * @return the height
+   * @return the bound
    */
   public double most(
       double lowX, double lowY, double lowZ, double highX, double highY, double highZ) {

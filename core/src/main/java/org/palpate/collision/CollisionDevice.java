@@ -25,7 +25,7 @@ public interface CollisionDevice extends AutoCloseable {
    */
   DeviceVoxels keep(BitCube voxels);
 
-  /** {@return the name for people} */
+  /** {@return the name of the device, for people} */
   String name();
 
   /**

@@ -133,7 +133,7 @@ public final class CollisionScene {
 
   /**
    * {@return whether a point touches a closed solid voxel: lies in it or on its face, edge or
-   * corner} Exact. False if a coordinate is NaN, infinite or beyond the numbers of voxels.
+   * corner} Exact. False if a coordinate is NaN, infinite, or larger than any voxel number.
    *
    * @param x the point along x, grid coordinates
    * @param y its y component
@@ -187,8 +187,8 @@ public final class CollisionScene {
   }
 
   /**
-   * {@return the solid voxels among the 4x4x4 from a lowest one on as the bits of a word, see
-   * {@link BitCube#window}}
+   * {@return the solid voxels of a window of 4x4x4 voxels as the bits of a word, see {@link
+   * BitCube#window}}
    *
    * @param i the number of the lowest voxel along x
    * @param j its number along y

@@ -39,9 +39,9 @@ public interface LegBatch {
   LegVerdict verdict(int motion, int point);
 
   /**
-   * {@return half the edge, voxels, of a closed cube that touches no solid voxel} It lies around
-   * the point where the motions of the last call of {@link #judge} start. At least 0; a device need
-   * not find the largest.
+   * {@return half the edge, voxels, of a closed cube that touches no solid voxel} The cube lies
+   * around the point where the motions of the last call of {@link #judge} start. The result is at
+   * least 0; a device need not find the largest cube.
    *
    * @param point the index of the point
    */

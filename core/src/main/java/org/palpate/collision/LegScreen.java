@@ -56,7 +56,7 @@ public final class LegScreen {
    *
    * @param from from the frame of the points to grid coordinates, at the start
    * @param to the same at the end
-   * @param version changes with the voxels
+   * @param version the version of the voxels, which changes with them
    */
   public void begin(AffineMap from, AffineMap to, long version) {
     motion = version == judgedVersion ? judged.indexOf(from, to) : MotionGroup.NONE;

@@ -46,7 +46,7 @@ public record HandTarget(Vec3 lowMm, Vec3 highMm, double voxelMm, List<Vec3> sur
     return new Vec3((lowMm.x + highMm.x) / 2, (lowMm.y + highMm.y) / 2, (lowMm.z + highMm.z) / 2);
   }
 
-  /** {@return half the diagonal of the box, but at least four voxels} */
+  /** {@return half the diagonal of the box, mm, but at least four voxels} */
   public double radiusMm() {
     return Math.max(highMm.sub(lowMm, new Vec3()).length() / 2, 4 * voxelMm);
   }

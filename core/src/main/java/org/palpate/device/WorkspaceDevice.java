@@ -103,7 +103,7 @@ public final class WorkspaceDevice extends DeviceDecorator {
   /**
    * Maps a device, and closes it when it is closed itself.
    *
-   * @param device in its own frame
+   * @param device the device to map, with positions in its own frame
    * @param workspace from the device's frame to the world
    * @param controls which buttons hold the clutch and change the speed
    */

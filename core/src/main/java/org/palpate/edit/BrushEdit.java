@@ -26,7 +26,7 @@ public final class BrushEdit extends BoxEdit {
    * @param segment index of the segment in the scene
    * @param centreGrid grid coordinates, finite
    * @param radiusMm metric radius, at least 0
-   * @param solid whether the voxels become solid; empty else
+   * @param solid whether the voxels become solid; otherwise they become empty
    * @throws IllegalArgumentException if the centre is not finite or the radius is negative
    */
   public BrushEdit(int segment, Vec3 centreGrid, double radiusMm, boolean solid) {
@@ -46,7 +46,7 @@ public final class BrushEdit extends BoxEdit {
    * @param segment index of the segment in the scene
    * @param path the path of the stroke
    * @param radiusMm metric radius, at least 0
-   * @param solid whether the voxels become solid; empty else
+   * @param solid whether the voxels become solid; otherwise they become empty
    * @param limits the voxels that it leaves as they are
    */
   public static BrushEdit atTool(

@@ -36,7 +36,7 @@ public final class ShapeEdit extends BoxEdit {
    * @param segment index of the segment in the scene
    * @param shape the solid
    * @param radiusMm the distance from the origin of the tool frame within which it lies, mm
-   * @param solid whether the voxels become solid; empty else
+   * @param solid whether the voxels become solid; otherwise they become empty
    * @param limits the voxels that it leaves as they are
    */
   public ShapeEdit(int segment, Shape shape, double radiusMm, boolean solid, BrushLimits limits) {

@@ -61,8 +61,8 @@ public interface ToolPlace {
   boolean gridToDevice(int segment, AffineMap dest);
 
   /**
-   * {@return whether the tool would touch a voxel of a segment, enclose it, or come nearer to it
-   * than its clearance, if the voxel were solid}
+   * {@return whether the tool would touch a voxel of a segment, or enclose it, if it were solid} A
+   * tool that would come nearer to it than its clearance counts too.
    *
    * @param segment the index of the segment in the scene
    * @param i the voxel's number along x

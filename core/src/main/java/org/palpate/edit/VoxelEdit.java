@@ -17,7 +17,7 @@ public final class VoxelEdit extends Edit {
    * @param i the voxel's number along x
    * @param j its number along y
    * @param k its number along z
-   * @param solid whether the voxel becomes solid; empty else
+   * @param solid whether the voxel becomes solid; otherwise it becomes empty
    */
   public VoxelEdit(int segment, int i, int j, int k, boolean solid) {
     super(segment);

@@ -116,7 +116,7 @@ public final class VoxelWriter {
    * @param i the voxel's number along x, in the grid
    * @param j its number along y
    * @param k its number along z
-   * @param solid whether the voxel becomes solid; empty else
+   * @param solid whether the voxel becomes solid; otherwise it becomes empty
    * @return whether it changed; a voxel beyond the {@link #limit} stays empty
    */
   public boolean write(int segment, int i, int j, int k, boolean solid) {

@@ -99,7 +99,8 @@ public final class ElasticContact {
    * Sets the pace of frames; call it before the first one. The pace is not measured, so that a
    * session replays to its bits.
    *
-   * @param sampleNanos the usual time between two samples; a longer one counts as a millisecond
+   * @param sampleNanos the usual time between two samples, ns; more than a millisecond counts as
+   *     one
    * @return this contact
    */
   public ElasticContact paced(long sampleNanos) {
@@ -112,7 +113,7 @@ public final class ElasticContact {
   /**
    * Returns the number of frames that take as long as a number of frames of a millisecond.
    *
-   * @param frameMs the length of a frame, positive; a longer one counts as a millisecond
+   * @param frameMs the length of a frame, ms, positive; more than a millisecond counts as one
    */
   static int frames(int ofMillisecond, double frameMs) {
     return (int) Math.round(ofMillisecond / Math.min(1, frameMs));

@@ -88,7 +88,8 @@ public final class KuhnTetrahedra {
   /**
    * Writes the weights of the four nodes on the path from corner 0 to corner 7; they sum to 1.
    *
-   * @param along the positions in the cell along the edges of the path, three numbers that fall
+   * @param along the positions in the cell along the edges of the path, three numbers in falling
+   *     order
    * @param dest receives the four weights, that of corner 0 first
    */
   public static void weigh(double[] along, double[] dest) {

@@ -35,7 +35,7 @@ final class SlideForecast {
     this.layout = layout;
   }
 
-  /** Sets the length of a frame; a longer one counts as a millisecond. */
+  /** Sets the length of a frame, ms; more than a millisecond counts as one. */
   void paced(double frameMs) {
     aheadFrames = ElasticContact.frames(AHEAD_FRAMES, frameMs);
     newPart = 1.0 / ElasticContact.frames(MEAN_FRAMES, frameMs);

@@ -28,7 +28,7 @@ public final class SynchronousUpdates {
    * Creates the updates of a body that no other thread updates.
    *
    * @param body the elastic segments
-   * @param frameMs the length of a frame; a longer one counts as a millisecond
+   * @param frameMs the length of a frame, ms; more than a millisecond counts as one
    */
   public SynchronousUpdates(ElasticBody body, double frameMs) {
     this.body = body;

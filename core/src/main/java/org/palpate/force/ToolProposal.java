@@ -12,8 +12,8 @@ import org.palpate.rigid.ToolMotion;
  */
 public interface ToolProposal {
   /**
-   * {@return whether the tool may move in a way that the hand does not, so that the coupling force
-   * is to follow as slowly as after a jump}
+   * {@return whether the tool may move in a way that the hand does not} The coupling force then
+   * follows as slowly as after a jump.
    */
   default boolean jumps() {
     return true;

@@ -118,10 +118,10 @@ public final class HapticLoop implements AutoCloseable {
   }
 
   /**
-   * Ends the session by force if no frame has started for longer than {@code hangNanos}, unless the
-   * haptic thread waits between two frames and the device has zero force and torque. Such a wait,
-   * as on a machine that does not run the thread, leaves nothing to make safe; the next frame finds
-   * the gap and starts from zero force.
+   * Ends the session by force if no frame has started for longer than {@code hangNanos}. A haptic
+   * thread may wait longer between two frames while the device has zero force and torque. Such a
+   * wait, as on a machine that does not run the thread, leaves nothing to make safe. The next frame
+   * finds the gap and starts from zero force.
    *
    * <p>One thread other than the haptic one calls it regularly, for example at 30 Hz. If the calls
    * themselves stopped for more than half of {@code hangNanos}, as in a suspended process, the wait

@@ -15,7 +15,10 @@ public record LoopEnd(Cause cause, Throwable failure) {
     DEVICE_GONE,
     /** A frame, the thread's set-up or the warm-up threw. */
     FAILED,
-    /** A frame did not return, or none followed a force, and the loop closed the device. */
+    /**
+     * A frame did not return, or no frame followed one that left a force. The loop closed the
+     * device.
+     */
     HUNG
   }
 }

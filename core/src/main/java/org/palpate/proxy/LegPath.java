@@ -63,7 +63,7 @@ public final class LegPath {
    * @param x1 the end of the leg along x, grid coordinates
    * @param y1 its y component
    * @param z1 its z component
-   * @param legLengthMm the metric length of the leg
+   * @param legLengthMm the metric length of the leg, mm
    * @param alongSurface whether the leg slides along a surface, which friction depends on
    * @throws ArrayIndexOutOfBoundsException if the path {@link #isFull}
    */

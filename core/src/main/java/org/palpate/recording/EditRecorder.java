@@ -27,7 +27,7 @@ public final class EditRecorder {
      * @param i the voxel's number along x
      * @param j its number along y
      * @param k its number along z
-     * @param solid whether voxel (i,j,k) became solid; empty else
+     * @param solid whether voxel (i,j,k) became solid; otherwise it became empty
      */
     void accept(long sample, int segment, int i, int j, int k, boolean solid);
   }
@@ -54,7 +54,7 @@ public final class EditRecorder {
    * @param i the voxel's number along x
    * @param j its number along y
    * @param k its number along z
-   * @param solid whether the voxel became solid; empty else
+   * @param solid whether the voxel became solid; otherwise it became empty
    */
   public void offer(long sample, int segment, int i, int j, int k, boolean solid) {
     int from = ring.claim();

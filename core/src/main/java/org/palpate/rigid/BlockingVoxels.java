@@ -113,8 +113,8 @@ public final class BlockingVoxels {
   }
 
   /**
-   * {@return whether the tool at its present pose would touch a voxel, enclose it, or come nearer
-   * to it than its clearance, if the voxel were solid}
+   * {@return whether the tool at its present pose would touch a voxel, or enclose it, if it were
+   * solid} A tool that would come nearer to it than its clearance counts too.
    *
    * @param index the body of the voxel
    * @param i the voxel's number along x

@@ -272,7 +272,7 @@ public final class ContactScene {
     return settings.materials().getOrDefault(segment.name(), MaterialOverride.NONE);
   }
 
-  /** {@return the segments that a needle may enter, by their names; none without a needle} */
+  /** {@return the segments that a needle may enter, by their names: those with a puncture force} */
   public Map<String, NeedleTissue> tissues() {
     Map<String, NeedleTissue> found = new LinkedHashMap<>();
     for (Segment segment : volume.segments()) {

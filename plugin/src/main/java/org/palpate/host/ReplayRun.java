@@ -155,9 +155,9 @@ public final class ReplayRun {
   }
 
   /**
-   * {@return this replay with somebody who receives what frames did, if given}
+   * {@return this replay with an observer of its frames, if one is given}
    *
-   * @param newObserver receives the record of each frame; empty for nobody
+   * @param newObserver receives the record of each frame; empty for none
    */
   public ReplayRun withObserver(Optional<FrameObserver> newObserver) {
     return new ReplayRun(scene, trajectory, world, raw, edits, elastic, newObserver);

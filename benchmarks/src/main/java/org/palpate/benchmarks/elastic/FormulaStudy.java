@@ -77,10 +77,11 @@ final class FormulaStudy {
   }
 
   /**
-   * Compares the depth of a rigid disc with (1 - nu^2) / (2 a) for 1 N/mm^2, mm/N. A cube is no
-   * half space. What its sides and its floor change falls with its edge, so that twice the depth in
-   * a cube of twice the edge, less the depth in the cube, leaves it out. A contact of one cell has
-   * no target, because sessions spread the force over two cells' radius at least.
+   * Compares the depth of a rigid disc with (1 - nu^2) / (2 a) for 1 N/mm^2, mm/N. A cube is not a
+   * half space. Its sides and its floor change the depth by an amount that is inversely
+   * proportional to its edge. Twice the depth in a cube of twice the edge, less the depth in the
+   * cube, leaves that amount out. A contact of one cell has no target, because sessions spread the
+   * force over two cells' radius at least.
    *
    * <p>Reference: Johnson 1985, "Contact Mechanics", section 3.6.
    *
@@ -99,8 +100,8 @@ final class FormulaStudy {
   }
 
   /**
-   * Compares the depth in a lattice of half the edge around the disc, whose sides are displaced as
-   * in the coarse lattice, with that in a whole lattice of half the edge.
+   * Compares the depth in two lattices of half the edge. One lies around the disc, and its sides
+   * are displaced as in the coarse lattice. The other is whole.
    *
    * @param reach from the axis of the disc to the sides, in radii
    */

@@ -198,8 +198,8 @@ record FragmentTrial(DeviceModel device, Grip grip, Sampling sampling, boolean g
 
   /**
    * A device that lets a fragment be fitted on the clock of its samples, at the rate of a session.
-   * A fit begins with the poses of one frame and is used from the frame on in which the next one
-   * begins, as if another thread had computed it meanwhile.
+   * A fit begins with the poses of one frame, and is used as soon as the next fit begins. So it is
+   * as late as one that another thread computes.
    */
   private static final class FittingDevice extends DeviceDecorator {
     /** The time between two fits of a session: it fits some ten times a second. */

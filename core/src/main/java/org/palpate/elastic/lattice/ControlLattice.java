@@ -292,7 +292,7 @@ public final class ControlLattice {
   }
 
   /**
-   * {@return the modulus of a listed cell that is not crushed, with its air, N/mm^2}
+   * {@return the modulus that a listed cell has if nothing crushes it, with its air, N/mm^2}
    *
    * @param listed the place of the cell in the list
    */

@@ -235,7 +235,7 @@ public final class LatticeLayout {
   }
 
   /**
-   * {@return what to add to a cell's first node for the node at a corner}
+   * {@return the number to add to that of a cell's first node, for the node at a corner}
    *
    * @param corner the number of the corner: bit 0 is its step along x, bit 1 along y, bit 2 along z
    */

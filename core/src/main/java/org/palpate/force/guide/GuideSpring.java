@@ -32,9 +32,9 @@ public record GuideSpring(double newtonPerMm, double maxNewton, double rangeMm) 
   }
 
   /**
-   * {@return the pull at a distance, N}
+   * {@return the pull at a distance, N; of a spring of rotations the torque, N mm}
    *
-   * @param distanceMm the distance, mm or rad, at least 0
+   * @param distanceMm the distance, mm, or the angle, rad; at least 0
    */
   public double newton(double distanceMm) {
     double pull = Math.min(newtonPerMm * distanceMm, maxNewton);

@@ -124,8 +124,8 @@ public final class NearestApproach {
   }
 
   /**
-   * {@return the distance of the sample point that came nearest from the nearest voxel, as a closed
-   * box, mm; empty if no point ever was in reach}
+   * {@return the distance between the sample point that came nearest and the nearest voxel, a
+   * closed box, mm; empty if no point ever was in reach}
    */
   public OptionalDouble nearestMm() {
     if (frame < 0) {

@@ -40,7 +40,7 @@ public final class SegmentDistance {
    *
    * @param solids the voxels of the segment; they may change afterwards
    * @param grid the grid of the segment
-   * @param reachMm the distance up to which is measured, mm
+   * @param reachMm the largest distance that is measured, mm
    * @see #SegmentDistance(BitCube, VoxelGrid, double, int)
    */
   public SegmentDistance(BitCube solids, VoxelGrid grid, double reachMm) {
@@ -52,8 +52,8 @@ public final class SegmentDistance {
    *
    * @param solids the voxels of the segment
    * @param grid the grid of the segment
-   * @param reachMm the distance up to which is measured, mm; those beyond it by a longest voxel
-   *     edge or more count as that
+   * @param reachMm the largest distance that is measured, mm; larger ones count as at most that
+   *     plus the longest voxel edge
    * @param body the index of the body that the segment is, whose pose it follows; negative if it
    *     stays at rest
    * @throws IllegalArgumentException if {@link #voxelsFor} exceeds {@link #MOST_VOXELS}
@@ -85,7 +85,7 @@ public final class SegmentDistance {
    *
    * @param solids the voxels of the segment
    * @param grid the grid of the segment
-   * @param reachMm the distance up to which is measured, mm
+   * @param reachMm the largest distance that is measured, mm
    */
   public static double voxelsFor(BitCube solids, VoxelGrid grid, double reachMm) {
     IntBox box = solids.bounds();
@@ -166,7 +166,7 @@ public final class SegmentDistance {
   }
 
   /**
-   * {@return the distance at a position, mm, at most the reach and an edge}
+   * {@return the distance at a position, mm, at most the reach plus the longest voxel edge}
    *
    * @param x the position along x, grid coordinates
    * @param y its y component

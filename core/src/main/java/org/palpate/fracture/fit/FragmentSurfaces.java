@@ -11,7 +11,7 @@ import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.fracture.PosedBits;
 
 /**
- * The surfaces of all fragments, each found when it is needed first. Each fragment has a grid of
+ * The surfaces of all fragments, each found when it is first needed. Each fragment has a grid of
  * its own, or all share one. One thread.
  */
 final class FragmentSurfaces {

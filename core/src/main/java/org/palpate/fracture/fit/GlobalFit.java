@@ -21,13 +21,16 @@ import org.palpate.volume.VoxelGrid;
  * <p>Pairs of points around which the surface is rough are laid on pairs of the other surface that
  * have the same distance and angles. {@link Junction} scores each pose roughly, closes the gaps of
  * the best ones in two rounds, and scores them again. {@link FaceFit} finds the last tenths of a
- * millimetre. Some seconds for two fragments; the work is bounded, and the same arguments give the
- * same bits. One thread an instance, never the haptic one.
+ * millimetre. A search takes up to a few seconds. Its work is bounded, and the same arguments give
+ * the same bits. One thread an instance, never the haptic one.
  */
 public final class GlobalFit {
-  /** The farthest that a proposal leads away from the present place relative to the other one. */
+  /**
+   * The largest displacement of a proposal from the present pose relative to the other fragment.
+   */
   private static final double FARTHEST_MM = 60;
 
+  /** The largest rotation of a proposal from that pose. */
   private static final double FARTHEST_RAD = Math.toRadians(75);
 
   private static final long SEED = 1;
@@ -35,9 +38,10 @@ public final class GlobalFit {
   /** The pairs of rough points that are drawn; those that are near enough are laid on the other. */
   private static final int DRAWS = 20_000;
 
-  /** The share of the points that count as rough, and the radius in which normals differ. */
+  /** The share of the points that count as rough. */
   private static final double ROUGH_SHARE = 0.25;
 
+  /** The radius around a point in which its normals are compared, edges. */
   private static final double ROUGH_EDGES = 3;
 
   /** The least cosine between normals on the same side of a thin wall. */
@@ -49,29 +53,42 @@ public final class GlobalFit {
   /** The least length of the sum of two normals across the line between their points. */
   private static final double LEAST_ACROSS = 0.5;
 
-  /** The points around a pair, their radius, and those of the whole surface for a rough score. */
+  /** The number of points around a pair that a rough score reads. */
   private static final int NEAR_POINTS = 60;
 
+  /** The radius around the middle of a pair in which these points lie, edges. */
   private static final double NEAR_EDGES = 10;
+
+  /** The number of points of the whole surface that a rough score reads. */
   private static final int WHOLE_POINTS = 40;
+
   private static final double LEAST_ROUGH_SCORE = 0.15;
 
-  /** The poses that are kept of each pair, and of all for each round. */
+  /** The number of poses that are kept for each pair of the fragment. */
   private static final int KEPT_OF_PAIR = 3;
 
+  /** The number of poses that enter the first round. */
   private static final int KEPT = 1000;
+
+  /** The number of poses that enter the second round. */
   private static final int KEPT_FINE = 60;
 
-  /** The points of a round, and the width in which gaps close, edges. */
+  /** The number of points by which the first round moves and scores a pose. */
   private static final int POINTS = 600;
 
+  /** The same number for the second round. */
   private static final int POINTS_FINE = 4000;
+
+  /** The distance from which points count nothing in the first round, edges. */
   private static final double WIDTH_EDGES = 3;
+
+  /** The same distance for the second round. */
   private static final double WIDTH_FINE_EDGES = 1.5;
 
-  /** Poses that are nearer to each other than this count as one, edges and rad. */
+  /** Two poses whose displacement is smaller than this may count as one, edges. */
   private static final double SAME_EDGES = 1.5;
 
+  /** They do if their rotations also differ by less than this. */
   private static final double SAME_RAD = Math.toRadians(6);
 
   private final List<VoxelGrid> grids;
@@ -93,9 +110,9 @@ public final class GlobalFit {
   /**
    * A pose that is proposed.
    *
-   * @param pose of the fragment, from rest to present, world mm
-   * @param scoreMm2 the area that speaks for it less that against it
-   * @param nextScoreMm2 the same for the best pose that differs from it
+   * @param pose the pose of the fragment, from rest to present, world mm
+   * @param scoreMm2 the area that speaks for the pose less the area against it, mm^2
+   * @param nextScoreMm2 the score of the best pose that differs from it, mm^2; 0 without one
    */
   public record Proposal(Pose pose, double scoreMm2, double nextScoreMm2) {}
 
@@ -107,7 +124,7 @@ public final class GlobalFit {
    *
    * @param grids the grid of each fragment
    * @param fragments the voxels of each fragment at rest
-   * @param gapMm the width of the gap between faces that fit
+   * @param gapMm the width of the gap between faces that fit, mm
    */
   public GlobalFit(List<VoxelGrid> grids, List<BitCube> fragments, double gapMm) {
     this.grids = List.copyOf(grids);
@@ -123,10 +140,10 @@ public final class GlobalFit {
   /**
    * Proposes a pose at which a fragment fits to another.
    *
-   * @param fragment its index
-   * @param other the index of the other
+   * @param fragment the index of the fragment
+   * @param other the index of the other fragment
    * @param poses the pose of each fragment, from rest to present, world mm
-   * @return empty if more speaks against each pose than for it
+   * @return the proposal; empty if more area speaks against each pose than for it
    */
   public Optional<Proposal> propose(int fragment, int other, List<Pose> poses) {
     Pose start = poses.get(other).inverseMultiply(poses.get(fragment), new Pose());
@@ -142,7 +159,9 @@ public final class GlobalFit {
             fitted(fragment, other, pose, poses.get(other)), best.get(0).score, Math.max(0, next)));
   }
 
-  /** Returns the local fit to the other fragment near a pose, or the pose if there is none. */
+  /**
+   * Returns the pose near another at which {@link FaceFit} finds the fit, or that pose without one.
+   */
   private Pose fitted(int fragment, int other, Pose pose, Pose ofOther) {
     FaceFit local =
         new FaceFit(
@@ -186,7 +205,10 @@ public final class GlobalFit {
     return different(found, surface, 2);
   }
 
-  /** Lays pairs of a fragment on pairs of the other; returns the poses that score roughly. */
+  /**
+   * Lays pairs of a fragment on pairs of the other, and returns the poses whose rough score is
+   * high.
+   */
   private List<Candidate> lay(int fragment, int other, Pose start, Junction junction) {
     FragmentSurface surface = surfaces.of(fragment);
     FragmentSurface faced = surfaces.of(other);
@@ -281,7 +303,7 @@ public final class GlobalFit {
     return Arrays.copyOf(indices, count);
   }
 
-  /** Returns points around the middle of a pair. */
+  /** Returns some of the points around the middle of a pair. */
   private int[] near(FragmentSurface surface, int one, int two) {
     Vec3 middle = new Vec3();
     surface.points().get(one).add(surface.points().get(two), middle).mul(0.5, middle);
@@ -289,7 +311,7 @@ public final class GlobalFit {
     return Arrays.stream(spread(all.length, NEAR_POINTS)).map(n -> all[n]).toArray();
   }
 
-  /** Returns about so many indices below a limit, evenly spread. */
+  /** Returns evenly spread indices below a limit, at most a number of them. */
   private static int[] spread(int limit, int count) {
     int[] indices = new int[Math.min(limit, count)];
     for (int n = 0; n < indices.length; n++) {
@@ -298,7 +320,9 @@ public final class GlobalFit {
     return indices;
   }
 
-  /** Writes the pose that lays a pair on another, normals against normals; whether there is one. */
+  /**
+   * Writes the pose that lays a pair on another, normals against normals. Returns whether both fit.
+   */
   private boolean laidOn(
       FragmentSurface own,
       int one,
@@ -323,7 +347,10 @@ public final class GlobalFit {
         && -m.dot(faced.normals().get(second)) >= LIKE_COSINE;
   }
 
-  /** Finds axes: along a pair, the third, and the sum of the normals as far as it lies across. */
+  /**
+   * Finds axes of a pair: x along it, z as the sum of the normals across it. False if that is
+   * short.
+   */
   private static boolean axes(FragmentSurface of, int one, int two, int sign, Vec3[] dest) {
     of.points().get(two).sub(of.points().get(one), dest[0]);
     dest[0].mul(1 / dest[0].length(), dest[0]);

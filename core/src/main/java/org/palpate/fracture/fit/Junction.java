@@ -6,10 +6,10 @@ import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 /**
- * Scores the fit of a fragment to another at a pose, from rest to rest. Surface points speak for it
- * that are in contact, or lie on skin that goes on in the skin of the other. Those speak against it
- * that face the other at a distance or lie inside it. The faces of thin bones are small, so their
- * skin tells more than they do. One thread an instance.
+ * Scores the fit of a fragment to another. A pose leads from the rest of the fragment to the rest
+ * of the other. Surface points in contact speak for it, and so do points on skin that goes on in
+ * the skin of the other. Points that face the other at a distance, or lie inside it, speak against
+ * it. Thin bones have small faces, so their skin decides more. One thread an instance.
  */
 final class Junction {
   /** The largest cosine between normals that face each other. */
@@ -18,16 +18,16 @@ final class Junction {
   /** The least cosine between normals of skin that goes on. */
   private static final double SKIN_COSINE = 0.85;
 
-  /** The distance beyond the nearest point at which the skin of the other is looked at, edges. */
+  /** The distance beyond the nearest point at which the skin of the other is read, edges. */
   private static final double BEYOND_EDGES = 2;
 
-  /** Skin has a nearest point of the other at least this far beside it, edges. */
+  /** The least distance, across the normal, from skin to the nearest point of the other, edges. */
   private static final double BESIDE_EDGES = 0.7;
 
-  /** The half width of contact, edges. */
+  /** The largest deviation from the gap at which faces are in contact, edges. */
   private static final double CONTACT_EDGES = 0.6;
 
-  /** Contact counts less the more the normals differ, and nothing from this on, 1 + cosine. */
+  /** The value of 1 + cosine between the normals from which contact counts nothing. */
   private static final double UNLIKE = 0.08;
 
   /** The depth from which a point counts as inside, edges. */
@@ -40,12 +40,13 @@ final class Junction {
   private static final double INSIDE_COST = 2;
   private static final double OPEN_COST = 0.5;
 
-  /** The tolerance of a rough score, and the depth from which points count as inside, edges. */
+  /** The distance from which points count nothing in a rough score, edges. */
   private static final double ROUGH_EDGES = 1.5;
 
+  /** The depth from which points count as inside in a rough score, edges. */
   private static final double ROUGH_INSIDE_EDGES = 3;
 
-  /** A pose with more of the fragment inside the other is not looked at further. */
+  /** The largest share of the points that may lie inside the other in a rough score. */
   private static final double MOST_INSIDE = 0.15;
 
   private static final int LEAST_PAIRS = 12;
@@ -67,12 +68,12 @@ final class Junction {
   private final Quaternion turn = new Quaternion();
 
   /**
-   * Creates a junction.
+   * Creates a junction of two fragments.
    *
    * @param surface the surface of the fragment
-   * @param faced the surface of the other
-   * @param edgeMm the edge of a voxel
-   * @param gapMm the width of the gap between faces that fit
+   * @param faced the surface of the other fragment
+   * @param edgeMm the edge of a voxel, mm
+   * @param gapMm the width of the gap between faces that fit, mm
    */
   Junction(FragmentSurface surface, SurfaceCells faced, double edgeMm, double gapMm) {
     this.surface = surface;
@@ -81,7 +82,7 @@ final class Junction {
     this.gapMm = gapMm;
   }
 
-  /** Moves to the place of a point; whether it is near the other surface. */
+  /** Moves to the place of a point. Returns whether it is near the other surface. */
   private boolean goTo(int n) {
     map.transform(surface.points().get(n), at);
     Vec3 m = surface.normals().get(n);
@@ -138,7 +139,7 @@ final class Junction {
    *
    * @param near indices of points around a place where the surfaces may meet
    * @param whole indices of points of the whole surface
-   * @return 0 to 1
+   * @return the score, larger for a better pose; at least 0
    */
   double roughScore(Pose pose, int[] near, int[] whole) {
     map.set(pose);
@@ -161,7 +162,7 @@ final class Junction {
    * Scores a pose.
    *
    * @param points indices of evenly spread points of the whole surface
-   * @return the area that speaks for it less that against it, mm^2
+   * @return the area that speaks for the pose less the area against it, mm^2
    */
   double score(Pose pose, int[] points) {
     map.set(pose);
@@ -186,9 +187,9 @@ final class Junction {
   /**
    * Moves a pose so that gaps close and skins go on.
    *
-   * @param pose is moved
+   * @param pose the pose, which is moved
    * @param points indices of evenly spread points of the whole surface
-   * @param widthMm the distance from which points count nothing
+   * @param widthMm the distance from which points count nothing, mm
    */
   void refine(Pose pose, int[] points, double widthMm) {
     for (int step = 0; step < STEPS; step++) {

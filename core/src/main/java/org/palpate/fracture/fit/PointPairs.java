@@ -6,34 +6,38 @@ import org.palpate.geometry.Vec3;
 
 /**
  * Random pairs of surface points, ordered by their distance and by the angles between their normals
- * and the line through them. A pair of another surface that fits to one of these has the same
- * distance and angles if its normals are reversed. One thread an instance.
+ * and the line through them. A pair of another surface fits to one of these if it has the same
+ * distance and angles with its normals reversed. One thread an instance.
  *
- * <p>Reference: Drost et al., Model globally, match locally, 2010.
+ * <p>Reference: Drost et al. 2010, "Model globally, match locally".
  */
 final class PointPairs {
   private static final double LEAST_EDGES = 4;
   private static final double MOST_EDGES = 12;
 
-  /** The number of pairs that are drawn for each point, and how many draws each may take. */
+  /** The number of pairs that are drawn for each point. */
   private static final int PARTNERS = 40;
 
+  /** The number of draws that a pair may take. */
   private static final int DRAWS = 8;
 
-  /** The bins of each of the features. */
+  /** The number of bins of each feature. */
   private static final int BINS = 12;
 
   private static final int FEATURES = 4;
 
-  /** The features of a pair lie in a box of a bin's size around those of one that fits. */
+  /** Half the edge of the box of features in which a fitting pair is sought, bins. */
   private static final double REACH_BINS = 0.5;
 
   private final double edgeMm;
 
-  /** The points of each pair, ordered by bin, and where each bin begins. */
+  /** The first point of each pair, ordered by bin. */
   private final int[] first;
 
+  /** The second point of each pair. */
   private final int[] second;
+
+  /** The index of the first pair of each bin. */
   private final int[] begin = new int[(int) Math.pow(BINS, FEATURES) + 1];
 
   /** The features of a pair, bins. */
@@ -41,10 +45,10 @@ final class PointPairs {
 
   private final Vec3 across = new Vec3();
 
-  /** Takes pairs that are found. */
+  /** Receives pairs that are found. */
   interface Sink {
     /**
-     * Takes a pair.
+     * Receives a pair.
      *
      * @param one the index of its first point
      * @param other the index of its second point
@@ -56,7 +60,7 @@ final class PointPairs {
    * Draws pairs.
    *
    * @param points the indices of the points to draw from
-   * @param edgeMm the edge of a voxel
+   * @param edgeMm the edge of a voxel, mm
    */
   PointPairs(FragmentSurface surface, int[] points, double edgeMm, SplittableRandom random) {
     this.edgeMm = edgeMm;
@@ -93,7 +97,7 @@ final class PointPairs {
    *
    * @param one the index of a point
    * @param other the index of another
-   * @param edgeMm the edge of a voxel
+   * @param edgeMm the edge of a voxel, mm
    */
   static boolean isPair(FragmentSurface surface, int one, int other, double edgeMm) {
     Vec3 p = surface.points().get(one);
@@ -112,7 +116,7 @@ final class PointPairs {
    * @param other the other surface
    * @param one the index of a point of that surface
    * @param two the index of the second point of the pair
-   * @param sink takes what is found
+   * @param sink receives the pairs that are found
    */
   void findFitting(FragmentSurface other, int one, int two, Sink sink) {
     describe(other, one, two, -1);

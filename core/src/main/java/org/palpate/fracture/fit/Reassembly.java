@@ -9,10 +9,10 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Proposes a pose for each fragment of a bone. Fragments that cannot move are in place. Again and
- * again the fragment is added that fits best to one in place, at the pose that {@link GlobalFit}
- * finds. It proposes and moves nothing; poses may let fragments overlap. One thread an instance,
- * never the haptic one.
+ * Proposes a pose for each fragment of a bone. Fragments that cannot move are in place. Each call
+ * of {@link #add} adds the fragment that fits best to one in place, at the pose that {@link
+ * GlobalFit} finds. Nothing is moved, and fragments may overlap at the proposed poses. One thread
+ * an instance, never the haptic one.
  */
 public final class Reassembly {
   private final GlobalFit fits;
@@ -26,10 +26,10 @@ public final class Reassembly {
   /**
    * A fragment that is added to one in place.
    *
-   * @param fragment its index
+   * @param fragment the index of the fragment
    * @param other the index of the fragment that it fits to
-   * @param scoreMm2 the area that speaks for the pose less that against it
-   * @param nextScoreMm2 the same for the next best pose of the two
+   * @param scoreMm2 the area that speaks for the pose less the area against it, mm^2
+   * @param nextScoreMm2 the score of the next best pose of the two, mm^2; 0 without one
    */
   public record Joint(int fragment, int other, double scoreMm2, double nextScoreMm2) {}
 
@@ -38,7 +38,7 @@ public final class Reassembly {
    *
    * @param grids the grid of each fragment
    * @param fragments the voxels of each fragment at rest
-   * @param gapMm the width of the gap between faces that fit
+   * @param gapMm the width of the gap between faces that fit, mm
    * @param present the pose of each fragment, from rest to present, world mm
    * @param isFixed which fragments cannot move; if none, the first stays
    */
@@ -67,15 +67,19 @@ public final class Reassembly {
     }
   }
 
-  /** {@return the poses that are proposed; of fragments that are not added, their present ones} */
+  /**
+   * {@return the pose that is proposed for each fragment; the present one of a fragment that was
+   * not added}
+   */
   public List<Pose> poses() {
     return List.copyOf(proposed);
   }
 
   /**
-   * Adds the fragment that fits best; some seconds for each pair that is looked at first.
+   * Adds the fragment that fits best. Takes up to a few seconds for each pair that is compared for
+   * the first time.
    *
-   * @return empty if no other fragment fits to one in place
+   * @return the fragment that was added; empty if no other one fits to one in place
    */
   public Optional<Joint> add() {
     Joint best = null;

@@ -7,8 +7,8 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * The surface of a fragment at rest in cubic cells, each of which knows the surface point nearest
- * to its centre. So the nearest point costs one load. One thread an instance.
+ * The surface of a fragment at rest in cubic cells. Each cell near the surface knows the surface
+ * point nearest to its centre, so that a look-up costs one load. One thread an instance.
  */
 final class SurfaceCells {
   /** The distance from the surface up to which cells know a point, cells. */
@@ -43,10 +43,10 @@ final class SurfaceCells {
   /**
    * Fills the cells.
    *
-   * @param surface the surface, with one point at least
+   * @param surface the surface, with at least one point
    * @param bits the voxels of the fragment
-   * @param grid their grid
-   * @param cellMm the edge of a cell
+   * @param grid the grid of these voxels
+   * @param cellMm the edge of a cell, mm
    */
   SurfaceCells(FragmentSurface surface, BitCube bits, VoxelGrid grid, double cellMm) {
     points = surface.points();
@@ -127,9 +127,10 @@ final class SurfaceCells {
   }
 
   /**
-   * Finds the place of a point. If it is near, height, nearest point and normal are set.
+   * Finds the place of a point. If it is {@link Place#NEAR}, height, nearest point and normal are
+   * set.
    *
-   * @param x the point, world mm, where the fragment rests
+   * @param x the point along x, world mm, for the fragment at rest
    * @param y its y component
    * @param z its z component
    * @return the place

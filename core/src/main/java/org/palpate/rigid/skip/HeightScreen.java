@@ -10,11 +10,11 @@ import org.palpate.volume.BitCube;
 /**
  * Finds sample points that stay above all solids around them while they move, so that their legs
  * need no test. Above is along the normal of a contact. A face that lies flat on a surface has
- * thousands of points near solids, and nearly all of them are above those of their leaf.
+ * thousands of points near solids. Nearly all of them stay above the solids around their leaf.
  *
- * <p>A leg from one point above a plane to another stays above it. So the legs of a node are free
- * if a box holds the node at both poses, and the node is at both poses above the highest solid in
- * the box. Heights allow for rounding.
+ * <p>A leg from one point above a plane to another stays above it. Let a box hold a node at both
+ * poses. The legs of the node are free if the node is at both poses above the highest solid in the
+ * box. Heights allow for rounding.
  *
  * <p>The answers change no result, only the work. Haptic thread only; allocates nothing.
  */
@@ -41,7 +41,7 @@ public final class HeightScreen {
   private long versionSeen;
   private boolean isOn;
 
-  /** For each node how many verifications are left until it is tested again. */
+  /** The number of verifications in which each node is still left untested. */
   private final byte[] wait;
 
   private double roundingCells;
@@ -101,7 +101,7 @@ public final class HeightScreen {
   /**
    * Creates a screen without a direction, which finds nothing.
    *
-   * @param tool whose points are screened
+   * @param tool the tool whose points are screened
    * @param solids the cube whose solids the points must not touch
    * @param cellMm the edges of its cells, mm
    */
@@ -116,7 +116,8 @@ public final class HeightScreen {
   /**
    * Suggests the normal of a contact as the direction.
    *
-   * @param alongAxes unit, along the axes of the body's grid in mm, away from the solid
+   * @param alongAxes the normal, a unit vector in mm along the axes of the body's grid, away from
+   *     the solid
    */
   public void suggest(Vec3 alongAxes) {
     if (hasNormal && normal.dot(alongAxes) >= SAME_DIRECTION_COSINE) {
@@ -142,7 +143,7 @@ public final class HeightScreen {
    * @param from the map from the points' frame to cells at the start
    * @param to the same map at the end
    * @param rounding the allowance for the rounding of coordinates, cells
-   * @param version changes with the solids
+   * @param version the version of the solids, which changes with them
    */
   public void begin(AffineMap from, AffineMap to, double rounding, long version) {
     ground = Double.POSITIVE_INFINITY;

@@ -3,9 +3,10 @@ package org.palpate.rigid.skip;
 import java.util.Arrays;
 
 /**
- * The path that the points of a tool have moved against a body, and for each point and each leaf of
- * the tool's tree the path up to which it is known to be free. The path is the sum, over committed
- * motions, of the longest motion of any point along an axis, cells. Haptic thread only.
+ * The path that the points of a tool have gone against a body. For each point, and for each leaf of
+ * the tool's tree, it keeps the path up to which the points are known to be free. The path is the
+ * sum, over committed motions, of the longest motion of any point along an axis, cells. Haptic
+ * thread only.
  */
 public final class Odometer {
   /** The path is reset here, before its own rounding could matter. */

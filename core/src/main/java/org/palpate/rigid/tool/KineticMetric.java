@@ -79,9 +79,9 @@ public final class KineticMetric {
   }
 
   /**
-   * Writes J w.
+   * Writes J w: the inertia for unit mass, mm^2, times an angular speed.
    *
-   * @param spin the angular speed w in the tool's axes
+   * @param spin the angular speed w in the tool's axes, rad/s
    * @param dest receives the product, in the tool's axes; may be {@code spin}
    * @return {@code dest}
    */

@@ -96,7 +96,7 @@ final class FragmentExport {
   /**
    * Writes everything that was asked for, as the other method does.
    *
-   * @param elastic that of the bodies in a scene file, with its fills
+   * @param elastic the elasticity of the bodies in a scene file, with its fills
    */
   List<String> write(PlacedVolume bodies, SceneElasticity elastic) throws IOException {
     List<String> lines = new ArrayList<>();

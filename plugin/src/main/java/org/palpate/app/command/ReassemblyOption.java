@@ -13,7 +13,7 @@ import org.palpate.io.scene.PlacedVolume;
 import org.palpate.volume.Segment;
 import picocli.CommandLine.Option;
 
-/** The option that proposes where the fragments of a scene belong. */
+/** The option that proposes a pose for each fragment of a scene. */
 final class ReassemblyOption {
   private static final String NAME = "--fit";
 

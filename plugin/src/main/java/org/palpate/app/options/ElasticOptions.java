@@ -281,8 +281,8 @@ public final class ElasticOptions {
   }
 
   /**
-   * Returns the elasticity of a volume, to be written into a scene file, after {@link #bodies};
-   * without any material if nothing is elastic.
+   * Returns the elasticity of a volume for a scene file; without any material if nothing is
+   * elastic. Call it after {@link #bodies}.
    */
   public SceneElasticity elasticity(SegmentedVolume volume) {
     return isWanted() ? new SceneElasticity(materials(volume), fills) : SceneElasticity.NONE;

@@ -19,10 +19,10 @@ import org.palpate.volume.SegmentedVolume;
  * @param fills the voxels of fills by name, which no tool can touch
  */
 public record SceneElasticity(Map<String, ElasticMaterial> materials, Map<String, BitCube> fills) {
-  /** The elasticity of rigid bodies: none. */
+  /** No elasticity: all bodies are rigid. */
   public static final SceneElasticity NONE = new SceneElasticity(Map.of(), Map.of());
 
-  /** Returns bodies at rest with the fills behind them, but without what a body holds by now. */
+  /** Returns bodies at rest with the fills behind them. A fill leaves out the voxels of bodies. */
   public SegmentedVolume withFills(SegmentedVolume bodies) {
     List<Segment> all = new ArrayList<>(bodies.segments());
     fills.forEach(

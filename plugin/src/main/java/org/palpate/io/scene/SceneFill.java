@@ -15,8 +15,8 @@ import org.palpate.volume.BitCube;
  * elastic body whose segment begins with {@code fill:}.
  *
  * @param name the name, unique among bodies and fills
- * @param source the volume that holds its voxels, which holds those of a body too
- * @param segment its voxels as in {@code --segment} without the name
+ * @param source the volume that holds its voxels and those of a body
+ * @param segment the text that chooses its voxels, as in {@code --segment} without the name
  * @param youngPa the elastic modulus, Pa
  * @param poisson the Poisson ratio
  */

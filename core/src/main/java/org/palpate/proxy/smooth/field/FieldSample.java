@@ -153,7 +153,7 @@ public final class FieldSample {
   /**
    * {@return the height of the point above the isosurface, in edges, as the occupancy alone gives
    * it: bounded by {@link #MAX_HEIGHT_EDGES} above and by the isosurface's offset below} Without a
-   * normal it is the upper bound in open space and else 0.
+   * normal it is the upper bound in open space, and 0 elsewhere.
    */
   public double boundedHeightEdges() {
     if (boundedHeightOf != evaluation) {
