@@ -190,7 +190,9 @@ public final class SessionAssessor implements FrameObserver {
    * @param part the part of the time in contact, from 0 to 1
    */
   public double exceededNewton(double part) {
-    return milliNewton.getValueAtPercentile(100 * (1 - part)) / MILLI;
+    // The histogram gives the upper end of a class, which may lie above the largest force.
+    double newton = milliNewton.getValueAtPercentile(100 * (1 - part)) / MILLI;
+    return Math.min(newton, contacts().largestNewton());
   }
 
   /** {@return the spectrum of the hand's motion} */

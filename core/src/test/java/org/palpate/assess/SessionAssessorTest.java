@@ -65,7 +65,7 @@ class SessionAssessorTest {
     assertEquals(2, nerve.largestAtSeconds(), 1e-9);
     assertEquals(0, assessor.contacts(2).contacts());
     assertEquals((2 + 4 * 0.5 + 1) / 2.5, assessor.contacts().meanNewton(), 1e-6);
-    assertEquals(4, assessor.exceededNewton(0.05), 0.01);
+    assertEquals(4, assessor.exceededNewton(0.05), "not above the largest force");
     assertEquals(2, assessor.exceededNewton(0.5), 0.01);
   }
 
