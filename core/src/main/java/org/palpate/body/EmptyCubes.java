@@ -1,5 +1,6 @@
 package org.palpate.body;
 
+import java.util.Arrays;
 import org.palpate.volume.BitCube;
 
 /**
@@ -20,9 +21,6 @@ public final class EmptyCubes {
 
   /** The binary logarithm of about how many bricks share a place, in cubes that are not large. */
   private static final int BRICKS_PER_PLACE_SHIFT = 3;
-
-  /** 2^64 divided by the golden ratio: multiples of it are spread evenly. */
-  private static final long SPREAD = 0x9E37_79B9_7F4A_7C15L;
 
   /** A brick has a long for its number and four for its 64 corners. */
   private static final int LONGS = 5;
@@ -45,14 +43,8 @@ public final class EmptyCubes {
   private static final long FIRST_LAYERS = 0xFFFF_FFFF_FFFFL;
 
   private final BitCube bits;
-  private final int bricksX;
-  private final int bricksY;
-  private final int bricksZ;
-  private final int unusedHashBits;
+  private final BrickPlaces places;
   private final long[] table;
-
-  /** 1 more than the number of times that all was forgotten; part of a brick's number. */
-  private long age = 1;
 
   /**
    * Creates an empty cache for a bit cube that the caller keeps.
@@ -61,19 +53,15 @@ public final class EmptyCubes {
    */
   public EmptyCubes(BitCube bits) {
     this.bits = bits;
-    bricksX = bits.bricksX();
-    bricksY = bits.bricksY();
-    bricksZ = bits.bricksZ();
-    long bricks = ((long) bricksX * bricksY * bricksZ) >> BRICKS_PER_PLACE_SHIFT;
-    int placesShift =
-        Math.min(MOST_PLACES_SHIFT, Long.SIZE - Long.numberOfLeadingZeros(bricks | 1));
-    unusedHashBits = Long.SIZE - placesShift;
-    table = new long[LONGS << placesShift];
+    places = new BrickPlaces(bits, BRICKS_PER_PLACE_SHIFT, MOST_PLACES_SHIFT);
+    table = new long[LONGS * places.count()];
   }
 
   /** Forgets all cubes, after voxels have changed. */
   public void forget() {
-    age++;
+    if (places.forget()) {
+      Arrays.fill(table, 0);
+    }
   }
 
   /**
@@ -109,12 +97,12 @@ public final class EmptyCubes {
     int x = i >> SHIFT;
     int y = j >> SHIFT;
     int z = k >> SHIFT;
-    if (x < 0 || x >= bricksX || y < 0 || y >= bricksY || z < 0 || z >= bricksZ) {
+    if (!places.contain(x, y, z)) {
       return halfEdge(bits, i, j, k);
     }
-    long brick = ((long) z * bricksY + y) * bricksX + x;
-    long number = age << Integer.SIZE | brick;
-    int at = (int) ((brick * SPREAD) >>> unusedHashBits) * LONGS;
+    long brick = places.index(x, y, z);
+    long number = places.number(brick);
+    int at = places.place(brick) * LONGS;
     if (table[at] != number) {
       table[at] = number;
       table[at + 1] = table[at + 2] = table[at + 3] = table[at + 4] = 0;

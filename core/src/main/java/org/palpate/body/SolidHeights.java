@@ -25,14 +25,8 @@ public final class SolidHeights {
   /** The binary logarithm of about how many bricks share a place, in cubes that are not large. */
   private static final int BRICKS_PER_PLACE_SHIFT = 2;
 
-  /** 2^64 divided by the golden ratio. Its multiples are spread evenly over the places. */
-  private static final long SPREAD = 0x9E37_79B9_7F4A_7C15L;
-
   private final BitCube bits;
-  private final int bricksX;
-  private final int bricksY;
-  private final int bricksZ;
-  private final int unusedHashBits;
+  private final BrickPlaces places;
   private final long[] brickAt;
   private final double[] heightAt;
 
@@ -49,9 +43,6 @@ public final class SolidHeights {
   private double directionY;
   private double directionZ;
 
-  /** Counts how often all was forgotten, from 1 to 2^32 - 1; the upper half of a brick's number. */
-  private long age = 1;
-
   /**
    * Creates an empty cache; heights are those along x.
    *
@@ -59,24 +50,16 @@ public final class SolidHeights {
    */
   public SolidHeights(BitCube bits) {
     this.bits = bits;
-    bricksX = bits.bricksX();
-    bricksY = bits.bricksY();
-    bricksZ = bits.bricksZ();
-    long bricks = ((long) bricksX * bricksY * bricksZ) >> BRICKS_PER_PLACE_SHIFT;
-    int placesShift =
-        Math.min(MOST_PLACES_SHIFT, Long.SIZE - Long.numberOfLeadingZeros(bricks | 1));
-    unusedHashBits = Long.SIZE - placesShift;
-    brickAt = new long[1 << placesShift];
-    heightAt = new double[1 << placesShift];
+    places = new BrickPlaces(bits, BRICKS_PER_PLACE_SHIFT, MOST_PLACES_SHIFT);
+    brickAt = new long[places.count()];
+    heightAt = new double[places.count()];
     setDirection(1, 0, 0);
   }
 
   /** Forgets all heights, after voxels have changed. */
   public void forget() {
-    age++;
-    if ((int) age == 0) { // From here on the numbers of bricks would be those of long ago.
+    if (places.forget()) {
       Arrays.fill(brickAt, 0);
-      age = 1;
     }
   }
 
@@ -122,9 +105,9 @@ public final class SolidHeights {
     int firstX = firstBrick(lowX);
     int firstY = firstBrick(lowY);
     int firstZ = firstBrick(lowZ);
-    int lastX = lastBrick(highX, bricksX);
-    int lastY = lastBrick(highY, bricksY);
-    int lastZ = lastBrick(highZ, bricksZ);
+    int lastX = lastBrick(highX, bits.bricksX());
+    int lastY = lastBrick(highY, bits.bricksY());
+    int lastZ = lastBrick(highZ, bits.bricksZ());
     if (lastX < firstX || lastY < firstY || lastZ < firstZ) {
       return Double.NEGATIVE_INFINITY;
     }
@@ -153,9 +136,9 @@ public final class SolidHeights {
   }
 
   private double ofBrick(int x, int y, int z) {
-    long brick = ((long) z * bricksY + y) * bricksX + x;
-    long number = age << Integer.SIZE | brick;
-    int at = (int) ((brick * SPREAD) >>> unusedHashBits);
+    long brick = places.index(x, y, z);
+    long number = places.number(brick);
+    int at = places.place(brick);
     if (brickAt[at] != number) {
       brickAt[at] = number;
       heightAt[at] = measured(x, y, z);
