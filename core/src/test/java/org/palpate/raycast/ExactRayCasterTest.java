@@ -140,33 +140,27 @@ class ExactRayCasterTest {
     assertEquals(4, skips(caster, SkipKind.BESIDE_BOUNDS), "it meets the box, but not the solid");
   }
 
-  /** The far corners hold a solid each, so that the bounds are those of the cube. */
   @Test
   void passesEmptyBricksAndBlocksInOneStepEach() {
-    BitCube bits = new BitCube(128, 8, 8);
-    bits.set(0, 0, 0);
-    bits.set(127, 7, 7);
-    Ray along = new Ray().from(0.5, 5.5, 5.5).to(127.25, 5.6, 5.7);
-    assertFalse(caster.cast(bits, along, hit));
-    long bricks = skips(caster, SkipKind.EMPTY_BRICKS);
-    assertTrue(bricks > 0 && bricks < 32, "bricks=" + bricks);
-    ExactRayCaster voxelByVoxel = ExactRayCaster.voxelByVoxel();
-    assertFalse(voxelByVoxel.cast(bits, along, hit));
-    assertEquals(0, skips(voxelByVoxel, SkipKind.EMPTY_BRICKS));
+    assertPassesEmptyBricks(new Ray().from(0.5, 5.5, 5.5).to(127.25, 5.6, 5.7), 32);
   }
 
   /** It starts on a plane, and is cast in the layers on both sides. */
   @Test
   void aRayWithinAPlanePassesEmptyBricksToo() {
+    assertPassesEmptyBricks(new Ray().from(0.5, 4, 5.5).to(127.25, 4, 5.5), 2 * 32);
+  }
+
+  /** The far corners hold a solid each, so that the bounds are those of the cube. */
+  private void assertPassesEmptyBricks(Ray ray, long fewerThan) {
     BitCube bits = new BitCube(128, 8, 8);
     bits.set(0, 0, 0);
     bits.set(127, 7, 7);
-    Ray within = new Ray().from(0.5, 4, 5.5).to(127.25, 4, 5.5);
-    assertFalse(caster.cast(bits, within, hit));
+    assertFalse(caster.cast(bits, ray, hit));
     long bricks = skips(caster, SkipKind.EMPTY_BRICKS);
-    assertTrue(bricks > 0 && bricks < 2 * 32, "bricks=" + bricks);
+    assertTrue(bricks > 0 && bricks < fewerThan, "bricks=" + bricks);
     ExactRayCaster voxelByVoxel = ExactRayCaster.voxelByVoxel();
-    assertFalse(voxelByVoxel.cast(bits, within, hit));
+    assertFalse(voxelByVoxel.cast(bits, ray, hit));
     assertEquals(0, skips(voxelByVoxel, SkipKind.EMPTY_BRICKS));
   }
 
