@@ -14,7 +14,6 @@ import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
 import org.palpate.edit.EditQueue;
-import org.palpate.force.EffectSite;
 import org.palpate.force.HapticEffect;
 import org.palpate.force.guide.FitExchange;
 import org.palpate.force.guide.FitTarget;
@@ -162,14 +161,7 @@ record FragmentTrial(DeviceModel device, Grip grip, Sampling sampling, boolean g
 
   private static HapticEffect guide(
       FitExchange fits, RigidCoupling coupling, FrameSettings settings) {
-    EffectSite site =
-        new EffectSite(
-            RigidTransform.identity(),
-            coupling.stiffnessNewtonPerMm(),
-            coupling.rotationalStiffness(),
-            settings.maxForceNewton(),
-            List.of(new Vec3()));
-    return Guides.fit(fits, GuideStrength.STANDARD).make(site);
+    return Guides.fit(fits, GuideStrength.STANDARD).make(HeldTrial.site(coupling, settings));
   }
 
   private static Optional<FitTarget> fit(BodyScene bodies) {

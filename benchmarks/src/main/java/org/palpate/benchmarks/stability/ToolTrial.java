@@ -8,7 +8,6 @@ import org.palpate.force.EffectSite;
 import org.palpate.frame.FrameSettings;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
-import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.Clearance;
 import org.palpate.rigid.RigidCoupling;
@@ -79,13 +78,7 @@ record ToolTrial(DeviceModel device, Grip grip, Sampling sampling, HeldTool held
             EditQueue.ofBodies(bodies.grids()),
             publisher);
     held.proposal(coupling).ifPresent(frame::use);
-    EffectSite site =
-        new EffectSite(
-            RigidTransform.identity(),
-            coupling.stiffnessNewtonPerMm(),
-            coupling.rotationalStiffness(),
-            settings.maxForceNewton(),
-            List.of(new Vec3()));
+    EffectSite site = HeldTrial.site(coupling, settings);
     frame.requestEffects(held.effects().stream().map(plan -> plan.make(site)).toList());
     return loop.run(plant, frame);
   }

@@ -20,7 +20,7 @@ class SettlingDeviceTest {
       new HapticDevice() {
         @Override
         public DeviceSpecification specification() {
-          throw new UnsupportedOperationException("no test asks for a specification");
+          return new DeviceSpecification("moving", "", 10, 1, 100, 0, true, 200);
         }
 
         @Override
