@@ -22,6 +22,13 @@ final class RoomProof {
   /** The longest change of a cell by a force in the room for which rounding is negligible. */
   private static final double MOST_CHANGE_CELLS = 100;
 
+  /**
+   * Up to this distance of the edges of a tetrahedron from those at rest, its least singular value
+   * is at least 1 minus the distance, and its determinant the cube of that, above {@link
+   * #LEAST_DETERMINANT}.
+   */
+  private static final double MOST_DEVIATION = 0.7;
+
   /** The part of the least singular value that a change may take. */
   private static final double USED_PART = 0.9;
 
@@ -40,6 +47,7 @@ final class RoomProof {
   };
 
   private final ActiveCells cells;
+  private final CellBounds bounds;
 
   /** The cells that could fold within reach. The one with the shortest bound is the first. */
   private final int[] near;
@@ -55,7 +63,6 @@ final class RoomProof {
   private final boolean[] measured;
 
   private final double[] corners = new double[KuhnTetrahedra.ENTRIES];
-  private final double[] slopes = new double[KuhnTetrahedra.ENTRIES];
 
   /** The change of the corners from the start of the slide to its end. */
   private final double[] slides = new double[KuhnTetrahedra.ENTRIES];
@@ -85,6 +92,7 @@ final class RoomProof {
 
   RoomProof(ActiveCells cells) {
     this.cells = cells;
+    bounds = new CellBounds(cells.layout());
     near = new int[cells.count()];
     ownAlong = new double[near.length];
     ownAcross = new double[near.length];
@@ -192,10 +200,11 @@ final class RoomProof {
   private boolean findNear(DeformationField field, double reachNewton) {
     nearCount = 0;
     reach = reachNewton;
+    bounds.read(field);
     for (int cell = 0; cell < cells.count(); cell++) {
       int first = cells.firstNode(cell);
       double room = leastRoom(field, first);
-      double answers = mostSquaredAnswers(field, first);
+      double answers = bounds.squaredAnswers(first);
       if (Double.isNaN(room) || !Double.isFinite(answers)) {
         return false;
       }
@@ -213,6 +222,13 @@ final class RoomProof {
    * positive if this bound is too coarse to tell, and NaN if the cell is not proved.
    */
   private double leastRoom(DeformationField field, int firstNode) {
+    double deviation = Math.sqrt(bounds.squaredDeviation(firstNode));
+    return deviation <= MOST_DEVIATION
+        ? USED_PART * (1 - deviation)
+        : leastMeasuredRoom(field, firstNode);
+  }
+
+  private double leastMeasuredRoom(DeformationField field, int firstNode) {
     readSlides(field, firstNode, none);
     double used = halfInterval(field) * Math.sqrt(mostSquared(slides));
     double least = Double.POSITIVE_INFINITY;
@@ -249,22 +265,6 @@ final class RoomProof {
     near[n] = cell;
     setOwn(n, leastNewton, leastNewton, false);
     nearCount++;
-  }
-
-  private double mostSquaredAnswers(DeformationField field, int firstNode) {
-    double most = mostSquaredAnswers(field.values, firstNode);
-    return field.slideIntervals == 0
-        ? most
-        : Math.max(most, mostSquaredAnswers(field.earlier, firstNode));
-  }
-
-  private double mostSquaredAnswers(float[] values, int firstNode) {
-    double sum = 0;
-    for (int axis = 0; axis < 3; axis++) {
-      readSlopes(values, firstNode, axis);
-      sum += mostSquared(slopes);
-    }
-    return sum;
   }
 
   /**
@@ -313,17 +313,6 @@ final class RoomProof {
         slides[3 * corner + axis] =
             field.displacement(node, axis, changeNewton, 1)
                 - field.displacement(node, axis, changeNewton, 0);
-      }
-    }
-  }
-
-  /** Reads the answers of the corners to a force along a unit axis. */
-  private void readSlopes(float[] values, int firstNode, int forceAxis) {
-    for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
-      int node = firstNode + cells.layout().cornerOffset(corner);
-      int at = DeformationField.STRIDE * node + 3 + 3 * forceAxis;
-      for (int axis = 0; axis < 3; axis++) {
-        slopes[3 * corner + axis] = values[at + axis];
       }
     }
   }

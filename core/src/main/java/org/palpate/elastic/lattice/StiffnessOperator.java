@@ -6,8 +6,8 @@ import java.util.Arrays;
  * The stiffness of a lattice as an operator on vectors of its nodes, without an assembled matrix.
  * Each listed cell has a modulus and a rotation. The entries of fixed nodes come out as zero.
  *
- * <p>Cells are handled in tiles that stay in the first-level cache, see {@link CellModes}. Corners
- * are copied in runs of cells that follow one another along x.
+ * <p>Cells are handled in tiles that stay in the cache, see {@link CellModes}. Corners are copied
+ * in runs of {@link CellSlots}.
  *
  * <p>Reference: Müller, Dorsey, McMillan, Jagnow, Cutler 2002, "Stable real-time deformations". One
  * thread; allocates nothing after construction.
@@ -26,8 +26,16 @@ public final class StiffnessOperator {
   private final InverseDiagonal diagonal;
   private final CellModes tile;
 
-  /** The first cells of the runs, and the number of cells at the end. */
-  private final int[] runs;
+  private final CellSlots slots;
+
+  /** By slot, zero where a slot has no cell: the modulus, the moments and the rotations. */
+  private final float[] slotModulus;
+
+  private final float[][] slotMoment = new float[3][];
+  private final float[][] slotRotation = new float[9][];
+
+  /** The forces so far at one corner of the slots of a tile. */
+  private final float[] sums = new float[CellModes.TILE];
 
   /**
    * Creates an operator of cells at rest whose moduli are zero.
@@ -46,20 +54,28 @@ public final class StiffnessOperator {
     rotations = new CellRotations(cells);
     diagonal = new InverseDiagonal(cells, HexahedronStiffness.of(poisson, cells.layout()));
     tile = new CellModes(poisson, cells.layout());
-    runs = runs(cells);
+    slots = new CellSlots(cells, CellModes.TILE);
+    slotModulus = new float[slots.count()];
+    for (int axis = 0; axis < 3; axis++) {
+      slotMoment[axis] = new float[slots.count()];
+    }
+    for (int entry = 0; entry < 9; entry++) {
+      slotRotation[entry] = new float[slots.count()];
+    }
+    spreadRotations();
+    spreadMoments();
   }
 
-  /** Finds runs: cells of one tile whose nodes follow one another. */
-  private static int[] runs(ActiveCells cells) {
-    int[] begins = new int[cells.count() + 1];
-    int count = 0;
-    for (int n = 0; n < cells.count(); n++) {
-      if (n % CellModes.TILE == 0 || cells.firstNode(n) != cells.firstNode(n - 1) + 1) {
-        begins[count++] = n;
-      }
+  private void spreadMoments() {
+    for (int axis = 0; axis < 3; axis++) {
+      slots.spread(moment[axis], slotMoment[axis]);
     }
-    begins[count] = cells.count();
-    return Arrays.copyOf(begins, count + 1);
+  }
+
+  private void spreadRotations() {
+    for (int entry = 0; entry < 9; entry++) {
+      slots.spread(rotations.entries[entry], slotRotation[entry]);
+    }
   }
 
   /** {@return the cells} */
@@ -74,7 +90,7 @@ public final class StiffnessOperator {
 
   /**
    * {@return the second moment of the matter of each listed cell along an axis, over that of a full
-   * cell}
+   * cell; to change before {@link #changed} or {@link #rotate}}
    *
    * @param axis 0 for x, 1 for y, 2 for z
    */
@@ -90,8 +106,10 @@ public final class StiffnessOperator {
     return hold;
   }
 
-  /** Takes moduli and springs over after a change. */
+  /** Takes moduli, moments and springs over after a change. */
   public void changed() {
+    slots.spread(modulus, slotModulus);
+    spreadMoments();
     diagonal.update(modulus, hold);
     holds = false;
     for (float spring : hold) {
@@ -104,12 +122,14 @@ public final class StiffnessOperator {
   }
 
   /**
-   * Takes the rotations of the cells from displacements.
+   * Takes the rotations of the cells from displacements, and their moments, which edits change.
    *
    * @param displacement three numbers for each node, mm
    */
   public void rotate(float[] displacement) {
     rotations.update(displacement);
+    spreadRotations();
+    spreadMoments();
   }
 
   /**
@@ -135,23 +155,16 @@ public final class StiffnessOperator {
   private void apply(float[] from, float[] dest, boolean fromRest) {
     Arrays.fill(dest, 0);
     int run = 0;
-    for (int first = 0; first < cells.count(); first += CellModes.TILE) {
-      int count = Math.min(CellModes.TILE, cells.count() - first);
-      System.arraycopy(modulus, first, tile.modulus, 0, count);
-      for (int axis = 0; axis < 3; axis++) {
-        System.arraycopy(moment[axis], first, tile.moment[axis], 0, count);
-      }
-      for (int entry = 0; entry < 9; entry++) {
-        System.arraycopy(rotations.entries[entry], first, tile.rotation[entry], 0, count);
-      }
+    for (int first = 0; first < slots.count(); first += CellModes.TILE) {
+      int count = Math.min(CellModes.TILE, slots.count() - first);
+      readCells(first, count);
       int end = run;
-      for (; runs[end] < first + count; end++) {
-        gather(from, runs[end], runs[end + 1], first);
+      for (; end < slots.runs() && slots.begin(end) < first + count; end++) {
+        gather(from, end, first);
       }
       tile.multiply(count, fromRest);
-      for (; run < end; run++) {
-        scatter(runs[run], runs[run + 1], first, dest);
-      }
+      scatter(run, end, first, dest);
+      run = end;
     }
     if (holds) {
       addSprings(from, dest);
@@ -168,31 +181,56 @@ public final class StiffnessOperator {
     }
   }
 
-  /** Copies the corners of a run of cells into the tile that begins with a cell. */
-  private void gather(float[] from, int begin, int end, int tileBegin) {
-    int node = cells.firstNode(begin);
+  private void readCells(int first, int count) {
+    System.arraycopy(slotModulus, first, tile.modulus, 0, count);
+    for (int axis = 0; axis < 3; axis++) {
+      System.arraycopy(slotMoment[axis], first, tile.moment[axis], 0, count);
+    }
+    for (int entry = 0; entry < 9; entry++) {
+      System.arraycopy(slotRotation[entry], first, tile.rotation[entry], 0, count);
+    }
+  }
+
+  /** Copies the corners of a run into the tile that begins with a slot. */
+  private void gather(float[] from, int run, int tileBegin) {
+    int begin = slots.begin(run) - tileBegin;
+    int count = slots.begin(run + 1) - slots.begin(run);
     for (int axis = 0; axis < 3; axis++) {
       for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
-        int at = axis * nodes + node + cells.layout().cornerOffset(corner);
-        System.arraycopy(from, at, tile.values[axis][corner], begin - tileBegin, end - begin);
+        int at = axis * nodes + slots.node(run) + cells.layout().cornerOffset(corner);
+        System.arraycopy(from, at, tile.values[axis][corner], begin, count);
       }
     }
   }
 
-  /** Adds the forces of a run of cells. */
-  private void scatter(int begin, int end, int tileBegin, float[] dest) {
-    int node = cells.firstNode(begin);
+  /**
+   * Adds the forces of the runs of a tile. Each corner of a tile has other nodes for all slots. So
+   * its forces so far are copied and summed for the whole tile, of which the compiler makes vector
+   * code.
+   */
+  private void scatter(int firstRun, int endRun, int tileBegin, float[] dest) {
+    int count = slots.begin(endRun) - tileBegin;
     for (int axis = 0; axis < 3; axis++) {
       for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
-        int at = axis * nodes + node + cells.layout().cornerOffset(corner);
-        add(tile.values[axis][corner], begin - tileBegin, end - begin, dest, at);
+        int at = axis * nodes + cells.layout().cornerOffset(corner);
+        for (int run = firstRun; run < endRun; run++) {
+          int begin = slots.begin(run);
+          int size = slots.begin(run + 1) - begin;
+          System.arraycopy(dest, at + slots.node(run), sums, begin - tileBegin, size);
+        }
+        add(tile.values[axis][corner], count, sums);
+        for (int run = firstRun; run < endRun; run++) {
+          int begin = slots.begin(run);
+          int size = slots.begin(run + 1) - begin;
+          System.arraycopy(sums, begin - tileBegin, dest, at + slots.node(run), size);
+        }
       }
     }
   }
 
-  private static void add(float[] from, int first, int count, float[] dest, int at) {
+  private static void add(float[] from, int count, float[] dest) {
     for (int n = 0; n < count; n++) {
-      dest[at + n] += from[first + n];
+      dest[n] += from[n];
     }
   }
 

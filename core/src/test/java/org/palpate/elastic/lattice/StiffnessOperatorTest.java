@@ -130,6 +130,7 @@ class StiffnessOperatorTest {
     LatticeLayout layout = layout(4, 4, 4);
     StiffnessOperator operator = operator(layout, false);
     java.util.Arrays.fill(operator.modulus(), 1);
+    operator.changed();
     double[] strain = new double[9];
     for (int n = 0; n < 9; n++) {
       strain[n] = 0.02 * (2 * random.nextDouble() - 1);
