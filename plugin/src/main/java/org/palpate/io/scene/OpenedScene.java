@@ -29,6 +29,7 @@ public record OpenedScene(SceneFile scene, Path file) {
 
   /**
    * Returns the scene with its bodies as labels of one volume, the first as 1, and at other poses.
+   * Fills stay in the volumes that they have.
    *
    * @param poses the pose of each body, from rest to present, world mm
    * @param volume the name of the volume, relative to the target
@@ -43,9 +44,15 @@ public record OpenedScene(SceneFile scene, Path file) {
   }
 
   private SceneFile with(List<SceneBody> bodies, Path target) {
-    return scene.with(
-        bodies,
-        scene.tool().map(tool -> tool.isFile() ? tool.with(seenFrom(target, tool.spec())) : tool));
+    List<SceneFill> fills =
+        scene.fills().stream().map(fill -> fill.at(seenFrom(target, fill.source()))).toList();
+    return scene
+        .with(bodies, fills)
+        .with(
+            bodies,
+            scene
+                .tool()
+                .map(tool -> tool.isFile() ? tool.with(seenFrom(target, tool.spec())) : tool));
   }
 
   /** Returns a name that is relative to the scene's file as it is relative to another file. */

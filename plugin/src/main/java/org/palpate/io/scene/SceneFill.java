@@ -31,6 +31,11 @@ public record SceneFill(
     return new SceneFill(name, volume, "label:" + label, youngPa, OptionalDouble.of(poisson));
   }
 
+  /** Returns this fill with another name of the same file. */
+  SceneFill at(String newSource) {
+    return new SceneFill(name, newSource, segment, youngPa, poisson);
+  }
+
   /**
    * Reads the voxels.
    *
