@@ -96,9 +96,10 @@ final class FragmentExport {
   /**
    * Writes everything that was asked for, as the other method does.
    *
-   * @param elastic the elasticity of the bodies in a scene file, with its fills
+   * @param elasticity that of the bodies in a scene file, with its fills as they were at the start
    */
-  List<String> write(PlacedVolume bodies, SceneElasticity elastic) throws IOException {
+  List<String> write(PlacedVolume bodies, SceneElasticity elasticity) throws IOException {
+    SceneElasticity elastic = elasticity.leftBy(bodies.rest());
     List<String> lines = new ArrayList<>();
     if (labels != null) {
       SegmentedVolume written = writesRest(bodies) ? bodies.rest() : bodies.present();

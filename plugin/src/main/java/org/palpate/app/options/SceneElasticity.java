@@ -1,8 +1,10 @@
 package org.palpate.app.options;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import org.palpate.elastic.lattice.ElasticMaterial;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.scene.SceneBody;
@@ -22,14 +24,30 @@ public record SceneElasticity(Map<String, ElasticMaterial> materials, Map<String
   /** No elasticity: all bodies are rigid. */
   public static final SceneElasticity NONE = new SceneElasticity(Map.of(), Map.of());
 
-  /** Returns bodies at rest with the fills behind them. A fill leaves out the voxels of bodies. */
+  /**
+   * Returns this elasticity after edits: fills without the voxels of bodies, and without those
+   * fills of which nothing is left, because a scene file refuses them.
+   *
+   * @param bodies the bodies at rest
+   */
+  public SceneElasticity leftBy(SegmentedVolume bodies) {
+    Map<String, BitCube> left = new LinkedHashMap<>();
+    fills.forEach(
+        (name, voxels) -> {
+          BitCube ofFill = without(voxels, bodies.segments());
+          if (ofFill.solidCount() > 0) {
+            left.put(name, ofFill);
+          }
+        });
+    return new SceneElasticity(materials, left);
+  }
+
+  /** Returns bodies at rest with the fills behind them. */
   public SegmentedVolume withFills(SegmentedVolume bodies) {
     List<Segment> all = new ArrayList<>(bodies.segments());
     fills.forEach(
-        (name, voxels) -> {
-          BitCube left = without(voxels, bodies.segments());
-          all.add(new Segment(name, left, SegmentBuilder.paletteColour(all.size())));
-        });
+        (name, voxels) ->
+            all.add(new Segment(name, voxels, SegmentBuilder.paletteColour(all.size()))));
     return fills.isEmpty() ? bodies : new SegmentedVolume(bodies.grid(), all);
   }
 
@@ -50,16 +68,20 @@ public record SceneElasticity(Map<String, ElasticMaterial> materials, Map<String
   }
 
   /**
-   * Returns a scene whose bodies have this elasticity.
+   * Returns a scene whose bodies have this elasticity. Without any, and for bodies that have it
+   * already, everything stays as it is.
    *
    * @param volume the volume that {@link #withFills} was written to, as the scene names it
    */
   public SceneFile of(SceneFile scene, String volume) {
+    if (materials.isEmpty()) {
+      return scene;
+    }
     List<SceneBody> bodies = new ArrayList<>();
     for (SceneBody body : scene.bodies()) {
       ElasticMaterial material = materials.get(body.name());
-      bodies.add(
-          material == null ? body : body.elastic(material.youngPascal(), material.poisson()));
+      boolean stays = material == null || has(body, material);
+      bodies.add(stays ? body : body.elastic(material.youngPascal(), material.poisson()));
     }
     List<SceneFill> written = new ArrayList<>();
     for (String name : fills.keySet()) {
@@ -69,5 +91,10 @@ public record SceneElasticity(Map<String, ElasticMaterial> materials, Map<String
           SceneFill.ofLabel(name, volume, label, material.youngPascal(), material.poisson()));
     }
     return scene.with(bodies, written);
+  }
+
+  private static boolean has(SceneBody body, ElasticMaterial material) {
+    return body.youngPa().equals(OptionalDouble.of(material.youngPascal()))
+        && body.poisson().orElse(ElasticMaterial.USUAL_POISSON) == material.poisson();
   }
 }

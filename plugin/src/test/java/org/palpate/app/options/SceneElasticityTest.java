@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.Mobility;
@@ -47,7 +48,7 @@ class SceneElasticityTest {
 
   @Test
   void aFillStandsBehindTheBodiesWithoutWhatTheyHold() {
-    List<Segment> all = elasticity.withFills(bodies()).segments();
+    List<Segment> all = elasticity.leftBy(bodies()).withFills(bodies()).segments();
     assertEquals(List.of("liver", "bone", "tissue"), all.stream().map(Segment::name).toList());
     BitCube left = all.get(2).bits();
     assertEquals(3L * EDGE * EDGE, left.solidCount());
@@ -70,6 +71,40 @@ class SceneElasticityTest {
     assertEquals(
         List.of(new SceneFill("tissue", "scene.nrrd", "label:3", 2000, OptionalDouble.of(0.3))),
         scene.fills());
+  }
+
+  /** A scene file refuses a fill without a voxel, so none may be written. */
+  @Test
+  void aFillThatEditsHaveCoveredIsLeftOut() {
+    SegmentedVolume grown =
+        new SegmentedVolume(
+            VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE),
+            List.of(new Segment("liver", voxels(6), 1), new Segment("bone", voxels(1), 2)));
+    SceneElasticity left = elasticity.leftBy(grown);
+    assertSame(grown, left.withFills(grown));
+    SceneFile rigid = SceneFile.ofBodies(List.of(body("liver", 1), body("bone", 2)));
+    assertEquals(List.of(), left.of(rigid, "scene.nrrd").fills());
+    assertEquals(2, elasticity.leftBy(bodies()).of(rigid, "scene.nrrd").bodies().size());
+  }
+
+  @Test
+  void whatIsUnchangedStaysAsTheFileStatesIt() {
+    SceneBody usual = body("liver", 1).elastic(5000, 0.4);
+    SceneBody stated =
+        new SceneBody(
+            usual.name(),
+            usual.source(),
+            false,
+            usual.segment(),
+            Mobility.ELASTIC,
+            pose,
+            Optional.of("friction:0.2"),
+            usual.youngPa(),
+            OptionalDouble.empty());
+    SceneFill fat = new SceneFill("fat", "scene.nrrd", "label:2", 1000, OptionalDouble.empty());
+    SceneFile scene = SceneFile.ofBodies(List.of(stated)).with(List.of(stated), List.of(fat));
+    assertEquals(List.of(stated), elasticity.of(scene, "scene.nrrd").bodies());
+    assertSame(scene, SceneElasticity.NONE.of(scene, "scene.nrrd"));
   }
 
   private final Pose pose = new Pose();
