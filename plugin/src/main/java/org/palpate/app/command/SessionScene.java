@@ -119,7 +119,9 @@ final class SessionScene {
     return source
         .placed()
         .map(this::ended)
-        .orElseGet(() -> PlacedVolume.atRest(volume(), source.header().coordinateSystem()));
+        .orElseGet(
+            () ->
+                PlacedVolume.atRest(volume(), source.header().coordinateSystem(), source.origin()));
   }
 
   private PlacedVolume ended(PlacedVolume start) {

@@ -25,6 +25,7 @@ import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.label.ValueStatistics;
 import org.palpate.io.scene.BodyReader;
+import org.palpate.io.scene.OpenedScene;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.scene.SceneFile;
 import org.palpate.io.scene.SceneReader;
@@ -216,6 +217,14 @@ public final class VolumeSource {
   /** Whether the bodies come from files that a scene names. */
   public boolean isScene() {
     return placed.flatMap(PlacedVolume::origin).isPresent();
+  }
+
+  /**
+   * Returns the scene that was read; empty if this is none, or if {@code --segment} asked for other
+   * segments of what it shows.
+   */
+  public Optional<OpenedScene> origin() {
+    return bodies().flatMap(PlacedVolume::origin);
   }
 
   /** Returns the shortest voxel edge of the volume and of all bodies, mm. */

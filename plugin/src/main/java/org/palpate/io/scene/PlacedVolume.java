@@ -55,8 +55,13 @@ public record PlacedVolume(
         fragments.segments(), placements, world, List.of(), List.of(), Optional.empty());
   }
 
-  /** Returns segments as fixed bodies that stand where they rest. */
-  public static PlacedVolume atRest(SegmentedVolume segments, CoordinateSystem world) {
+  /**
+   * Returns segments as fixed bodies that stand where they rest.
+   *
+   * @param origin the scene that was read, whose bodies these are; empty if they are of none
+   */
+  public static PlacedVolume atRest(
+      SegmentedVolume segments, CoordinateSystem world, Optional<OpenedScene> origin) {
     Placement fixed = new Placement(Mobility.FIXED, new Pose());
     return new PlacedVolume(
         segments,
@@ -64,7 +69,7 @@ public record PlacedVolume(
         world,
         List.of(),
         List.of(),
-        Optional.empty());
+        origin);
   }
 
   /**
