@@ -51,6 +51,10 @@ public final class ElasticRun {
     progress.accept("times of frames");
     ElasticTimes times = new ElasticTimes(quick ? 10_000 : 100_000, quick ? 40 : 200);
     add(times.frameFigures());
+    progress.accept("times of frames beside updates in another thread");
+    SessionTimes beside = new SessionTimes(quick ? 20_000 : 100_000);
+    add(beside.figures(Softness.USUAL));
+    add(beside.figures(Softness.USUAL.withSmooth()));
     progress.accept("times of updates");
     List<RigidFigure> updates = times.updateFigures();
     add(updates);
