@@ -13,7 +13,7 @@ import org.palpate.geometry.Vec3;
  * <p>At a stop with an aim it also looks at what it moves, and shifts and turns the device until
  * that thing is at its goal, as a person does by eye. It keeps this correction of its grip until it
  * lets go. An aim may have a number of tries. If the thing is not at its goal then, the hand goes
- * back by a stop and comes again. After the last try it goes on to another stop.
+ * back by some stops and comes again. After the last try it goes on from there to another stop.
  *
  * <p>Each read is the next sample. The motion depends on the stops, on what is seen and on the
  * number of reads, never on a clock or on forces. A session can therefore be repeated. Haptic
@@ -30,6 +30,7 @@ public final class GuidedHand implements HapticDevice {
   private static final double CORRECTION_PER_MS = 0.005;
 
   private static final double NANOS_PER_MS = 1e6;
+  private static final int NOT_BACK = Integer.MAX_VALUE;
 
   /** The longest correction at a stop with tries, in case the thing does not follow. */
   private static final double LONGEST_LEAD_MM = 0.5;
@@ -79,6 +80,15 @@ public final class GuidedHand implements HapticDevice {
 
   /** The number of tries that missed their goal since the hand last held nothing. */
   private int misses;
+
+  /** The stop to which the hand goes back after a try that missed; none if it does not go back. */
+  private int backTo = NOT_BACK;
+
+  /** The stop to which it goes from there. */
+  private int afterBack;
+
+  /** The fraction of the tremor. */
+  private double shakiness = 1;
 
   private double arrivalSeconds;
   private long reads;
@@ -141,7 +151,8 @@ public final class GuidedHand implements HapticDevice {
       correct(aim.get());
     }
     setPose(seconds);
-    tremor.at(seconds, shakiness(seconds), shake, twist);
+    calm(seconds);
+    tremor.at(seconds, shakiness, shake, twist);
     pose.displace(shake, twist, 1, quaternion, pose);
     state.positionMm.set(pose.translation);
     state.orientation.set(pose.rotation);
@@ -161,12 +172,25 @@ public final class GuidedHand implements HapticDevice {
     }
     isLeaving = true;
     Optional<HandStop.Aim> aim = stops.get(stop).aim();
-    int step = stops.get(stop).next();
-    if (aim.isPresent() && aim.get().tries() > 0 && !isReached(aim.get())) {
-      step = ++misses < aim.get().tries() ? -1 : aim.get().otherwise();
-      stops.get(stop).pose().inverseMultiply(arrived, correctionOfGrip);
+    if (backTo == NOT_BACK && aim.isPresent() && aim.get().tries() > 0 && !isReached(aim.get())) {
+      goBack(aim.get());
     }
-    heading = stop + step;
+    if (stop > backTo) {
+      heading = stop - 1;
+    } else if (stop == backTo) {
+      backTo = NOT_BACK;
+      heading = afterBack;
+    } else {
+      heading = stop + stops.get(stop).next();
+    }
+  }
+
+  private void goBack(HandStop.Aim aim) {
+    boolean isLast = misses + 1 >= aim.tries();
+    backTo = stop - (isLast ? aim.back() : 1 + misses % aim.back());
+    afterBack = isLast ? stop + aim.otherwise() : backTo + stops.get(backTo).next();
+    misses++;
+    stops.get(stop).pose().inverseMultiply(arrived, correctionOfGrip);
   }
 
   private boolean isReached(HandStop.Aim aim) {
@@ -246,14 +270,11 @@ public final class GuidedHand implements HapticDevice {
     }
   }
 
-  /** Returns the fraction of the tremor: it dies away at a steady stop and comes back after it. */
-  private double shakiness(double seconds) {
-    if (!stops.get(stop).isSteady()) {
-      return 1;
-    }
-    double calm = (seconds - arrivalSeconds) / CALMING_SECONDS;
-    double after = isUnderway() ? (seconds - departure()) / CALMING_SECONDS : 0;
-    return Math.max(Math.max(0, 1 - calm), Math.min(1, after));
+  /** Lets the tremor die away at a steady stop, and come back after it. */
+  private void calm(double seconds) {
+    boolean isCalm = stops.get(stop).isSteady() && !(isUnderway() && seconds > departure());
+    double change = intervalNanos * 1e-9 / CALMING_SECONDS;
+    shakiness = isCalm ? Math.max(0, shakiness - change) : Math.min(1, shakiness + change);
   }
 
   /** {@return whether the hand has rested at its last stop, where it stays} */

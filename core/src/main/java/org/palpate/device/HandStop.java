@@ -24,9 +24,11 @@ public record HandStop(
    *     thread that reads the device
    * @param goal the pose at which it belongs; not to be written
    * @param tries the most times that the hand comes to the stop; 0 if it goes on in any case
+   * @param back the number of stops that the hand goes back, one after the other, after a try that
+   *     has failed
    * @param otherwise the number of stops from this to the next after the last try has failed
    */
-  public record Aim(Supplier<Pose> seen, Pose goal, int tries, int otherwise) {}
+  public record Aim(Supplier<Pose> seen, Pose goal, int tries, int back, int otherwise) {}
 
   /**
    * Creates a stop at which the hand corrects nothing.

@@ -6,25 +6,23 @@ import java.util.List;
 import java.util.Optional;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
-import org.palpate.body.Mobility;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HandStop;
-import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
-import org.palpate.volume.BitCube;
 
 /**
  * Plans how a hand that knows the truth puts fragments back: it touches each one from outside,
- * presses a button to hold it, lifts it off, leads it to its place in the direction with the widest
- * opening, and lets it go.
+ * presses a button to hold it, lifts it off, leads it to its place, and lets it go.
  *
- * <p>The plan is geometry alone and verifies no motion. When the hand carries it out, only verified
- * motions move a fragment, so it may stop before its place. One thread; use bodies of your own,
- * whose poses change.
+ * <p>The order and the ways are those of a {@link Disassembly} in reverse. A fragment that did not
+ * come out of its place is led there along the straight line on which it meets the least. When the
+ * hand carries the plan out, it trembles, and only verified motions move a fragment, so it may stop
+ * before its place. One thread; use bodies of your own, whose poses change.
  */
 public final class ReductionPlan {
   /** The most sample points of a fragment at which rough faces are compared. */
@@ -32,15 +30,6 @@ public final class ReductionPlan {
 
   /** The most of them at which the plan looks for a place to touch. */
   private static final int MOST_TOUCHES = 160;
-
-  /**
-   * The share of the points of the fragment that faces those in place with the most. A fragment may
-   * come next if at least so many of its points face them.
-   */
-  private static final double FACING_SHARE = 0.25;
-
-  /** The largest distance of points that face each other, voxels. */
-  private static final int FACING_VOXELS = 3;
 
   /**
    * The distance by which a fragment is lifted off and from which it approaches its place, as a
@@ -65,10 +54,10 @@ public final class ReductionPlan {
   /** The time in which the hand corrects its grip before faces meet. */
   private static final double LOOK_SECONDS = 1;
 
-  private static final double SETTLE_SECONDS = 1.2;
+  private static final double SETTLE_SECONDS = 0.8;
 
   /** The number of times that the hand brings a fragment home before it puts it aside. */
-  private static final int TRIES = 3;
+  private static final int TRIES = 20;
 
   /** The distance of a fragment that was put aside, as a multiple of the radius of the ball. */
   private static final double ASIDE = 3;
@@ -76,8 +65,11 @@ public final class ReductionPlan {
   /** The number of stops that put a fragment aside; a hand that succeeds leaves them out. */
   private static final int STOPS_ASIDE = 4;
 
-  /** The distance to which a fragment goes back for another try, shortest voxel edges. */
-  private static final double NEAR_EDGES = 8;
+  /**
+   * The distances to which a fragment goes back for another try, shortest voxel edges. Faces that
+   * have met a voxel beside their place come free by a little; others need more room.
+   */
+  private static final double[] BACK_EDGES = {1, 1.5, 2, 3, 8};
 
   /** The distance of a path around the bodies, as a multiple of the radius of their ball. */
   private static final double AROUND = 1.15;
@@ -90,6 +82,7 @@ public final class ReductionPlan {
   private final List<RigidTool> shapes = new ArrayList<>();
   private final Vec3 middle = new Vec3();
   private final List<HandStop> stops = new ArrayList<>();
+  private final List<Disassembly.Exit> exits = new ArrayList<>();
   private double radiusMm;
 
   /** A point at which the hand takes a fragment, and the direction from which it comes. */
@@ -107,28 +100,32 @@ public final class ReductionPlan {
   }
 
   /**
-   * {@return the stops of the hand}
+   * {@return a plan}
    *
    * @param bodies the bodies where they are when the hand begins; the plan moves them
-   * @param truth the pose at which each body belongs, from rest to present; of the bodies that face
-   *     those in place, the one with the freest way moves next
+   * @param truth the pose at which each body belongs, from rest to present
    * @param seen the bodies that the hand sees while it carries out the plan, in the same order
    */
-  public static List<HandStop> of(BodyScene bodies, List<Pose> truth, BodyScene seen) {
+  public static ReductionPlan of(BodyScene bodies, List<Pose> truth, BodyScene seen) {
     ReductionPlan plan = new ReductionPlan(bodies, seen);
-    List<Integer> left = new ArrayList<>();
-    for (int n = 0; n < bodies.count(); n++) {
-      if (bodies.body(n).mobility() == Mobility.MOVABLE) {
-        left.add(n);
-      }
-    }
     plan.stops.add(plan.free(plan.outside(new Vec3(0, 0, 1))));
-    while (!left.isEmpty()) {
-      int next = plan.freest(left, truth);
-      left.remove(Integer.valueOf(next));
-      plan.putBack(next, truth.get(next));
+    MovableShapes points = MovableShapes.ofPoints(bodies);
+    plan.exits.addAll(Disassembly.of(bodies, truth, points, plan.liftMm()));
+    for (int n = plan.exits.size() - 1; n >= 0; n--) {
+      Disassembly.Exit exit = plan.exits.get(n);
+      plan.putBack(exit.fragment(), plan.way(exit, truth.get(exit.fragment())));
     }
-    return plan.stops;
+    return plan;
+  }
+
+  /** {@return the stops of the hand} */
+  public List<HandStop> stops() {
+    return List.copyOf(stops);
+  }
+
+  /** {@return how the fragments came out of their places, in the reverse order of the plan} */
+  public List<Disassembly.Exit> exits() {
+    return List.copyOf(exits);
   }
 
   private double liftMm() {
@@ -149,7 +146,7 @@ public final class ReductionPlan {
   }
 
   /** Returns the sample points of a body at a pose, world mm. */
-  private static Vec3[] points(RigidTool shape, Pose pose) {
+  static Vec3[] points(RigidTool shape, Pose pose) {
     Vec3 reference = shape.referenceMm(new Vec3());
     Vec3[] points = new Vec3[shape.count()];
     for (int n = 0; n < points.length; n++) {
@@ -163,74 +160,44 @@ public final class ReductionPlan {
     return new WayOut(bodies, fragment, points(shapes.get(fragment), pose), liftMm());
   }
 
-  /** Returns the body of a list that faces those that are not in it and has the freest way. */
-  private int freest(List<Integer> left, List<Pose> truth) {
-    int[] facing = new int[bodies.count()];
-    left.forEach(n -> facing[n] = facing(n, left, truth));
-    int most = Arrays.stream(facing).max().orElse(0);
-    int freest = left.get(0);
-    long least = Long.MAX_VALUE;
-    for (int candidate : left) {
-      if (facing[candidate] >= FACING_SHARE * most) {
-        long blocked = wayOut(candidate, truth.get(candidate)).blocked();
-        if (blocked < least || (blocked == least && facing[candidate] > facing[freest])) {
-          least = blocked;
-          freest = candidate;
-        }
-      }
+  /** Returns the way out of a fragment; a straight line if none was found. */
+  private List<Pose> way(Disassembly.Exit exit, Pose truth) {
+    double[] backMm = Arrays.stream(BACK_EDGES).map(n -> n * bodies.shortestEdgeMm()).toArray();
+    if (exit.pulled().isOut()) {
+      return Ways.simplified(exit.pulled().way(), backMm, shapes.get(exit.fragment()));
     }
-    return freest;
-  }
-
-  /** Returns how many points of a fragment in place are near bodies that are not in a list. */
-  private int facing(int fragment, List<Integer> left, List<Pose> truth) {
-    Vec3[] points = points(shapes.get(fragment), truth.get(fragment));
-    AffineMap toGrid = new AffineMap();
-    Vec3 at = new Vec3();
-    int count = 0;
-    for (int other = 0; other < bodies.count(); other++) {
-      if (!left.contains(other)) {
-        Body body = bodies.body(other);
-        body.toolToGrid(truth.get(other), new Pose(), toGrid);
-        for (Vec3 point : points) {
-          count += isNear(body.bits(), toGrid.transform(point, at)) ? 1 : 0;
-        }
-      }
-    }
-    return count;
-  }
-
-  /** Whether a solid voxel lies near a point along an axis of the grid. */
-  private static boolean isNear(BitCube bits, Vec3 grid) {
-    int i = (int) Math.floor(grid.x);
-    int j = (int) Math.floor(grid.y);
-    int k = (int) Math.floor(grid.z);
-    for (int n = -FACING_VOXELS; n <= FACING_VOXELS; n++) {
-      if (bits.get(i + n, j, k) || bits.get(i, j + n, k) || bits.get(i, j, k + n)) {
-        return true;
-      }
-    }
-    return false;
+    Vec3 away = wayOut(exit.fragment(), truth).direction();
+    List<Pose> way = new ArrayList<>(List.of(truth));
+    Arrays.stream(backMm).forEach(mm -> way.add(lifted(truth, away, mm)));
+    way.add(lifted(truth, away, liftMm()));
+    return way;
   }
 
   /**
    * Adds the stops that lead a fragment home. After the stop that lets it go come the {@link
    * #STOPS_ASIDE} that put it aside if no try succeeds.
+   *
+   * @param way leads from its place to where it is out
    */
-  private void putBack(int fragment, Pose truth) {
+  private void putBack(int fragment, List<Pose> way) {
+    Pose truth = way.get(0);
+    Pose out = way.get(way.size() - 1);
     Pose start = new Pose().set(bodies.body(fragment).pose());
     Vec3 up = wayOut(fragment, start).direction();
-    Vec3 away = wayOut(fragment, truth).direction();
     Touch touch = touch(fragment, start, up);
     Pose startToHand = inverse(start).multiply(take(touch), new Pose());
     hold(lifted(start, up, liftMm()).multiply(startToHand, new Pose()), 0, false);
-    lead(fragment, lifted(truth, away, liftMm()), startToHand, LOOK_SECONDS, 0);
-    double nearMm = NEAR_EDGES * bodies.shortestEdgeMm();
-    hold(lifted(truth, away, nearMm).multiply(startToHand, new Pose()), 0, false);
-    Pose there = lead(fragment, truth, startToHand, SETTLE_SECONDS, TRIES);
+    Pose handOut = lead(fragment, out, startToHand, LOOK_SECONDS, 0, 0);
+    for (int n = way.size() - 2; n > 0; n--) {
+      hold(way.get(n).multiply(startToHand, new Pose()), 0, false);
+    }
+    double backMm = BACK_EDGES[BACK_EDGES.length - 1] * bodies.shortestEdgeMm() * (1 - 1e-9);
+    int back = Ways.stopsTo(backMm, way, shapes.get(fragment));
+    Pose there = lead(fragment, truth, startToHand, SETTLE_SECONDS, TRIES, back);
     stops.add(letGo(there, 1 + STOPS_ASIDE));
-    hold(lifted(truth, away, liftMm()).multiply(startToHand, new Pose()), 0, false);
-    Pose aside = lifted(truth, away, ASIDE * radiusMm).multiply(startToHand, new Pose());
+    hold(handOut, 0, false);
+    Vec3 away = Ways.direction(way, shapes.get(fragment));
+    Pose aside = lifted(out, away, ASIDE * radiusMm).multiply(startToHand, new Pose());
     hold(aside, PRESS_SECONDS, true);
     stops.add(letGo(aside, 1));
     Vec3 off = aside.rotation.rotate(touch.outward, new Vec3()).mul(liftMm(), new Vec3());
@@ -248,11 +215,12 @@ public final class ReductionPlan {
   }
 
   /** Adds a stop at which the hand corrects by eye how it holds a fragment; returns its pose. */
-  private Pose lead(int fragment, Pose goal, Pose startToHand, double seconds, int tries) {
+  private Pose lead(
+      int fragment, Pose goal, Pose startToHand, double seconds, int tries, int back) {
     Pose hand = goal.multiply(startToHand, new Pose());
     int otherwise = 2; // A hand that fails does not let go here.
     Optional<HandStop.Aim> aim =
-        Optional.of(new HandStop.Aim(seen.body(fragment)::pose, goal, tries, otherwise));
+        Optional.of(new HandStop.Aim(seen.body(fragment)::pose, goal, tries, back, otherwise));
     stops.add(new HandStop(hand, DeviceState.FIRST_BUTTON, seconds, tries > 0, aim, 1));
     return hand;
   }

@@ -1,7 +1,7 @@
 /**
- * Plans how a simulated hand puts the fragments of a bone back.
+ * Plans how a simulated hand puts the fragments of a bone back. {@link
+ * org.palpate.reduction.Disassembly} finds the order and the ways by taking them apart.
  *
- * <p>Uses {@code body}, {@code device}, {@code rigid.tool} and {@code raycast}. One thread. World
- * mm; poses are rest to present.
+ * <p>Uses {@code rigid} and {@code device}. One thread. World mm; poses are rest to present.
  */
 package org.palpate.reduction;

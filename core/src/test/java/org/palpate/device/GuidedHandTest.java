@@ -77,7 +77,7 @@ class GuidedHandTest {
     Pose seen = new Pose();
     HandStop aimed =
         new HandStop(
-            new Pose(), 1, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal, 0, 1)), 1);
+            new Pose(), 1, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal, 0, 0, 1)), 1);
     GuidedHand hand = new GuidedHand(List.of(aimed), Tremor.NONE, 100, MS);
     for (int n = 0; n < 5000; n++) {
       hand.read(state);
@@ -90,7 +90,7 @@ class GuidedHandTest {
   @Test
   void comesAgainWhileAThingIsNotAtItsGoalAndThenGoesAnotherWay() {
     List<Double> visited = visits(new Pose().set(new Vec3(9, 0, 0), new Quaternion()));
-    assertEquals(List.of(0.0, 6.0, 0.0, 6.0, -6.0), visited);
+    assertEquals(List.of(0.0, 6.0, 0.0, 6.0, 0.0, -6.0), visited);
   }
 
   @Test
@@ -100,13 +100,18 @@ class GuidedHandTest {
 
   /** Returns where a hand rests that tries twice to bring a thing home that stays where it is. */
   private List<Double> visits(Pose seen) {
-    HandStop.Aim aim = new HandStop.Aim(() -> seen, new Pose(), 2, 2);
+    HandStop.Aim aim = new HandStop.Aim(() -> seen, new Pose(), 2, 1, 2);
     List<HandStop> stops =
         List.of(
             new HandStop(at(0), 1, 0.1, false),
             new HandStop(at(6), 1, 0.2, false, Optional.of(aim), 1),
             new HandStop(at(3), 1, 0.1, false),
             new HandStop(at(-6), 0, 0.1, false));
+    return visits(stops);
+  }
+
+  /** Returns where a hand rests. */
+  private List<Double> visits(List<HandStop> stops) {
     GuidedHand hand = new GuidedHand(stops, Tremor.NONE, 100, MS);
     List<Double> visited = new ArrayList<>();
     double last = Double.NaN;
@@ -124,6 +129,40 @@ class GuidedHandTest {
     return visited;
   }
 
+  @Test
+  void goesBackFartherEachTimeAndAllTheWayBeforeItGivesUp() {
+    Pose away = new Pose().set(new Vec3(9, 0, 0), new Quaternion());
+    HandStop.Aim aim = new HandStop.Aim(() -> away, new Pose(), 4, 2, 1);
+    List<HandStop> stops =
+        List.of(
+            new HandStop(at(0), 1, 0.1, false),
+            new HandStop(at(4), 1, 0.1, false),
+            new HandStop(at(6), 1, 0.2, false, Optional.of(aim), 1),
+            new HandStop(at(-6), 0, 0.1, false));
+    List<Double> expected =
+        List.of(0.0, 4.0, 6.0, 4.0, 6.0, 4.0, 0.0, 4.0, 6.0, 4.0, 6.0, 4.0, 0.0, -6.0);
+    assertEquals(expected, visits(stops));
+  }
+
+  /** A hand that comes back to a steady stop at once is nearly as steady as it was. */
+  @Test
+  void theTremorNeverJumps() {
+    List<HandStop> stops = new ArrayList<>();
+    for (int n = 0; n < 6; n++) {
+      stops.add(new HandStop(at(n % 2), 1, n % 2 == 0 ? 0.4 : 0, n % 2 == 0));
+    }
+    GuidedHand hand = new GuidedHand(stops, new Tremor(0.3, 0.02, 8, 5), 100, MS);
+    double fastest = 0;
+    double last = Double.NaN;
+    while (!hand.hasArrived()) {
+      hand.read(state);
+      fastest = Double.isNaN(last) ? 0 : Math.max(fastest, Math.abs(state.positionMm.y - last));
+      last = state.positionMm.y;
+    }
+    double mostAMillisecond = 0.3 * (2 * Math.PI * 8 + 1 / 0.3) / 1000;
+    assertTrue(fastest > 0 && fastest <= mostAMillisecond, "mm in a millisecond: " + fastest);
+  }
+
   private static Pose at(double x) {
     return new Pose().set(new Vec3(x, 0, 0), new Quaternion());
   }
@@ -136,7 +175,7 @@ class GuidedHandTest {
     Pose seen = new Pose();
     HandStop aimed =
         new HandStop(
-            new Pose(), 9, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal, 0, 1)), 1);
+            new Pose(), 9, 10, true, Optional.of(new HandStop.Aim(() -> seen, goal, 0, 0, 1)), 1);
     GuidedHand hand = new GuidedHand(List.of(aimed), Tremor.NONE, 100, 1000 * MS / hertz);
     for (int n = 0; n < hertz / 5; n++) {
       hand.read(state);

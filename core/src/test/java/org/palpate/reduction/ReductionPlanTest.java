@@ -125,7 +125,7 @@ class ReductionPlanTest {
   }
 
   private List<HandStop> plan() {
-    return ReductionPlan.of(scene(), Collections.nCopies(4, new Pose()), scene());
+    return ReductionPlan.of(scene(), Collections.nCopies(4, new Pose()), scene()).stops();
   }
 
   private BodyScene scene() {

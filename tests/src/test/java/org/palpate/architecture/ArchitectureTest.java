@@ -213,7 +213,7 @@ class ArchitectureTest {
           Map.entry("realtime", List.of("loop", "realtime.os")),
           Map.entry("realtime.os", List.of()),
           Map.entry("recording", List.of("frame")),
-          Map.entry("reduction", List.of("body", "device", "rigid.tool")),
+          Map.entry("reduction", List.of("device", "rigid")),
           Map.entry("rigid", List.of("body", "proxy.smooth.field", "rigid.skip", "rigid.tool")),
           Map.entry("rigid.skip", List.of("body", "rigid.tool")),
           Map.entry("rigid.tool", List.of("volume")),

@@ -1,7 +1,9 @@
 package org.palpate.benchmarks.fracture;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
@@ -14,6 +16,7 @@ import org.palpate.frame.FrameSettings;
 import org.palpate.frame.ToolFrame;
 import org.palpate.frame.ToolFramePublisher;
 import org.palpate.geometry.Pose;
+import org.palpate.reduction.Disassembly;
 import org.palpate.reduction.ReductionPlan;
 import org.palpate.rigid.Clearance;
 import org.palpate.rigid.RigidCoupling;
@@ -28,11 +31,10 @@ import org.palpate.volume.fracture.PosedBits;
  * The result of a simulated hand that knows the truth, trembles, and puts the fragments of a bone
  * back one by one.
  *
- * @param residuals for each fragment but the largest, its motion from where it belongs
- * @param taken the number of fragments that the hand took hold of
+ * @param parts each fragment but the largest
  * @param frames the number of frames at 1 kHz
  */
-record Reduction(List<Residual> residuals, int taken, long frames) {
+record Reduction(List<PutBack> parts, long frames) {
   private static final long FRAME_NANOS = 1_000_000;
 
   /** Frames after the last stop of the hand, in which its tremor has ended. */
@@ -51,28 +53,29 @@ record Reduction(List<Residual> residuals, int taken, long frames) {
   static Reduction of(BrokenBone bone, Contact contact, long seed) {
     BodyScene bodies = bone.bodies();
     List<Pose> truth = Collections.nCopies(bodies.count(), new Pose());
+    ReductionPlan plan = ReductionPlan.of(bone.bodies(), truth, bodies);
     GuidedHand hand =
         new GuidedHand(
-            ReductionPlan.of(bone.bodies(), truth, bodies),
-            new Tremor(0.3, Math.toRadians(1), 8, seed),
-            REACH_MM,
-            FRAME_NANOS);
+            plan.stops(), new Tremor(0.3, Math.toRadians(1), 8, seed), REACH_MM, FRAME_NANOS);
     ToolFrame frame = frame(hand, bodies, contact);
-    int taken = 0;
-    int before = -1;
+    BitSet taken = new BitSet();
     long frames = 0;
     for (int left = LAST_FRAMES; left > 0; left -= hand.hasArrived() ? 1 : 0) {
       frame.run(frames++ * FRAME_NANOS);
-      taken += frame.heldBody() >= 0 && before < 0 ? 1 : 0;
-      before = frame.heldBody();
+      if (frame.heldBody() >= 0) {
+        taken.set(frame.heldBody());
+      }
     }
-    List<Residual> residuals = new ArrayList<>();
-    for (int n = 1; n < bodies.count(); n++) {
-      Body body = bodies.body(n);
+    List<PutBack> parts = new ArrayList<>();
+    for (Disassembly.Exit exit : plan.exits()) {
+      Body body = bodies.body(exit.fragment());
       PosedBits left = new PosedBits(body.bits(), body.grid(), body.pose());
-      residuals.add(Residual.fromRest(left, bodies.body(0).pose()));
+      Residual residual = Residual.fromRest(left, bodies.body(0).pose());
+      boolean hasWay = exit.pulled().isOut();
+      parts.add(new PutBack(body.name(), residual, taken.get(exit.fragment()), hasWay));
     }
-    return new Reduction(residuals, taken, frames);
+    parts.sort(Comparator.comparing(PutBack::name));
+    return new Reduction(parts, frames);
   }
 
   private static ToolFrame frame(GuidedHand hand, BodyScene bodies, Contact contact) {

@@ -6,17 +6,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.ToDoubleFunction;
+import org.palpate.benchmarks.fracture.PutBack.Outcome;
 import org.palpate.benchmarks.rigid.RigidFigure;
 import org.palpate.fracture.Residual;
 import org.palpate.volume.fracture.FractureSpec;
 
 /** Breaks a bone again and again, and measures how well a simulated hand puts it together. */
 final class ReductionStudy {
-  /** A fragment is in place within this distance and angle. */
-  static final double MOST_MM = 0.5;
-
-  static final double MOST_DEGREES = 1;
-
   /** The share of fragments that may be out of place, percent. */
   private static final double MOST_PERCENT = 5;
 
@@ -42,23 +38,21 @@ final class ReductionStudy {
   /** Returns the figures of a bone that breaks into some parts. */
   List<RigidFigure> figures(WholeBone bone, int parts, Contact contact) {
     String condition = bone.name() + ", " + parts + " parts, " + contact;
-    List<Residual> all = new ArrayList<>();
+    List<PutBack> all = new ArrayList<>();
     int done = 0;
-    int taken = 0;
     long frames = 0;
     for (int n = 0; n < TRIES * fractures && done < fractures; n++) {
       FractureSpec fracture = new FractureSpec(parts, firstSeed + n, contact.kerfVoxels());
       Optional<BrokenBone> broken = broken(bone, fracture);
       if (broken.isPresent()) {
         Reduction reduction = Reduction.of(broken.get(), contact, fracture.seed());
-        all.addAll(reduction.residuals());
-        taken += reduction.taken();
+        all.addAll(reduction.parts());
         frames += reduction.frames();
         done++;
-        progress.accept(condition + ", fracture " + fracture + ": " + reduction.residuals());
+        progress.accept(condition + ", fracture " + fracture + ": " + reduction.parts());
       }
     }
-    return figures(condition, all, done, taken, frames);
+    return figures(condition, all, done, frames);
   }
 
   private Optional<BrokenBone> broken(WholeBone bone, FractureSpec fracture) {
@@ -71,15 +65,18 @@ final class ReductionStudy {
   }
 
   private static List<RigidFigure> figures(
-      String condition, List<Residual> all, int done, int taken, long frames) {
+      String condition, List<PutBack> all, int done, long frames) {
     double[] mm = sorted(all, Residual::distanceMm);
     double[] degrees = sorted(all, Residual::angleDegrees);
-    long out = all.stream().filter(residual -> !isInPlace(residual)).count();
     double count = all.size();
+    double out = count - count(all, Outcome.IN_PLACE);
     return List.of(
         of(condition, "fractures", done, ""),
         of(condition, "fragments", count, ""),
-        of(condition, "fragments not taken", count - taken, ""),
+        of(condition, "fragments not taken", count(all, Outcome.NOT_TAKEN), ""),
+        of(condition, "fragments without a way", count(all, Outcome.NO_WAY), ""),
+        of(condition, "fragments that did not arrive", count(all, Outcome.ASIDE), ""),
+        of(condition, "fragments left beside their place", count(all, Outcome.BESIDE), ""),
         new RigidFigure(
             "reduction", condition, "fragments out of place", 100 * out / count, "%", MOST_PERCENT),
         of(condition, "displacement p50", mm[mm.length / 2], "mm"),
@@ -89,13 +86,12 @@ final class ReductionStudy {
         of(condition, "frames for each fragment", frames / count, ""));
   }
 
-  /** Whether a fragment is where it belongs. */
-  static boolean isInPlace(Residual residual) {
-    return residual.distanceMm() <= MOST_MM && residual.angleDegrees() <= MOST_DEGREES;
+  private static double count(List<PutBack> all, Outcome outcome) {
+    return all.stream().filter(part -> part.outcome() == outcome).count();
   }
 
-  private static double[] sorted(List<Residual> all, ToDoubleFunction<Residual> value) {
-    double[] values = all.stream().mapToDouble(value).toArray();
+  private static double[] sorted(List<PutBack> all, ToDoubleFunction<Residual> value) {
+    double[] values = all.stream().map(PutBack::residual).mapToDouble(value).toArray();
     Arrays.sort(values);
     return values;
   }

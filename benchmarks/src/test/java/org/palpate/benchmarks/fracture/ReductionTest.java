@@ -16,9 +16,10 @@ class ReductionTest {
     FractureSpec fracture = FractureSpec.parse(spec);
     WholeBone bone = new WholeBone("arch", new FracturePhantom(edge, fracture).bone());
     Reduction reduction = Reduction.of(BrokenBone.of(bone, fracture), Contact.KERF, 1);
-    assertEquals(fracture.parts() - 1, reduction.taken(), reduction.toString());
-    assertEquals(fracture.parts() - 1, reduction.residuals().size());
-    assertTrue(
-        reduction.residuals().stream().allMatch(ReductionStudy::isInPlace), reduction.toString());
+    assertEquals(fracture.parts() - 1, reduction.parts().size());
+    for (PutBack part : reduction.parts()) {
+      assertEquals(PutBack.Outcome.IN_PLACE, part.outcome(), reduction.toString());
+      assertTrue(part.wasTaken() && part.hasWay(), part.toString());
+    }
   }
 }

@@ -108,7 +108,7 @@ final class SessionScene {
     BodyScene seen = rigid.orElseThrow().bodies();
     List<Pose> truth = Collections.nCopies(seen.count(), new Pose());
     return new GuidedHand(
-        ReductionPlan.of(scene.newBodies(), truth, seen),
+        ReductionPlan.of(scene.newBodies(), truth, seen).stops(),
         new Tremor(TREMOR_MM, TREMOR_RAD, TREMOR_HZ, seed),
         handTarget().radiusMm(),
         periodNanos);
