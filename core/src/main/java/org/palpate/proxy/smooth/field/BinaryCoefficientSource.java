@@ -176,15 +176,23 @@ final class BinaryCoefficientSource implements CoefficientSource {
 
   /** Sums up the rows of a layer of which some cells are corrected. */
   private void sumCorrectedLayer(int z, long a, long b, long c) {
-    long once = 0;
-    long all = 0;
-    for (int y = 0; y < BinaryWindow.EDGE; y++) {
-      long rows = y < 4 ? a : y < 8 ? b : c;
-      int row = (int) (rows >>> ((y & 3) << 4)) & ROW_MASK;
-      once += sumsOfRow[row] + corrections.ofRow(y, z);
-      all += once;
-      rowsTwice[y + 2] = all;
-    }
+    long[] twice = rowsTwice;
+    long[] more = corrections.ofRows();
+    int at = BinaryWindow.EDGE * z;
+    long once = sumsOfRow[(int) a & ROW_MASK] + more[at];
+    long all = once;
+    twice[2] = all;
+    twice[3] = all += once += sumsOfRow[(int) (a >>> 16) & ROW_MASK] + more[at + 1];
+    twice[4] = all += once += sumsOfRow[(int) (a >>> 32) & ROW_MASK] + more[at + 2];
+    twice[5] = all += once += sumsOfRow[(int) (a >>> 48) & ROW_MASK] + more[at + 3];
+    twice[6] = all += once += sumsOfRow[(int) b & ROW_MASK] + more[at + 4];
+    twice[7] = all += once += sumsOfRow[(int) (b >>> 16) & ROW_MASK] + more[at + 5];
+    twice[8] = all += once += sumsOfRow[(int) (b >>> 32) & ROW_MASK] + more[at + 6];
+    twice[9] = all += once += sumsOfRow[(int) (b >>> 48) & ROW_MASK] + more[at + 7];
+    twice[10] = all += once += sumsOfRow[(int) c & ROW_MASK] + more[at + 8];
+    twice[11] = all += once += sumsOfRow[(int) (c >>> 16) & ROW_MASK] + more[at + 9];
+    twice[12] = all += once += sumsOfRow[(int) (c >>> 32) & ROW_MASK] + more[at + 10];
+    twice[13] = all + once + sumsOfRow[(int) (c >>> 48) & ROW_MASK] + more[at + 11];
   }
 
   private void unpack(long sums, int at, double[] coefficients) {

@@ -107,6 +107,17 @@ final class BrickCopy {
     return mask(MASK_X, x) & mask(MASK_Y, y) & mask(MASK_Z, z);
   }
 
+  /**
+   * Returns those of some bricks of a copy, a bit each, that another copy holds as well, by their
+   * numbers there.
+   *
+   * @param x the bricks by which that one begins beyond the first, with y and z
+   */
+  static long moved(long bricks, int x, int y, int z) {
+    int offset = number(x, y, z);
+    return overlap(x, y, z) & (offset >= 0 ? bricks >>> offset : bricks << -offset);
+  }
+
   /** Returns the number of brick (x,y,z) of a copy; for an offset, the difference of numbers. */
   static int number(int x, int y, int z) {
     return 16 * z + 4 * y + x;
@@ -118,23 +129,27 @@ final class BrickCopy {
   }
 
   /**
-   * Returns the brick beside one of the copy, from the source if the copy lacks it.
+   * Whether some cells of the brick beside one of the copy are all solid. The source tells if the
+   * copy lacks that brick.
    *
    * @param step 1 or -1 along the axis
+   * @param cells the cells, in the order of the word of a brick
    */
-  long beside(CollisionScene scene, int number, int axis, int step) {
+  boolean areSolidBeside(CollisionScene scene, int number, int axis, int step, long cells) {
     int at = ((number >> (2 * axis)) & 3) + step;
     return (at & 3) == at
-        ? bricks[number + (step << (2 * axis))]
-        : outside(scene, number, axis, step);
+        ? (~bricks[number + (step << (2 * axis))] & cells) == 0
+        : areSolidOutside(scene, number, axis, step, cells);
   }
 
-  private long outside(CollisionScene scene, int number, int axis, int step) {
-    return source.brick(
+  private boolean areSolidOutside(
+      CollisionScene scene, int number, int axis, int step, long cells) {
+    return source.areSolid(
         scene,
         (lowX >> 2) + (number & 3) + (axis == 0 ? step : 0),
         (lowY >> 2) + (number >> 2 & 3) + (axis == 1 ? step : 0),
-        (lowZ >> 2) + (number >> 4) + (axis == 2 ? step : 0));
+        (lowZ >> 2) + (number >> 4) + (axis == 2 ? step : 0),
+        cells);
   }
 
   private boolean holds(int x, int y, int z) {
@@ -250,6 +265,9 @@ final class BrickCopy {
     /** The most bricks that a frame looks at. Most are made already, or have no surface. */
     private static final int MAX_BRICKS = 8;
 
+    /** All bricks of a copy. */
+    private static final long ALL = -1;
+
     private final BrickSource cells;
 
     /** The brick coordinates of the first brick of the copy that the window needs. */
@@ -258,8 +276,8 @@ final class BrickCopy {
     private int lowY;
     private int lowZ;
 
-    /** The bricks of the copy that were made, in the order of their numbers. */
-    private int made;
+    /** The bricks of the copy that were not made yet, a bit each. */
+    private long missing = ALL;
 
     Ahead(BrickSource cells) {
       this.cells = cells;
@@ -267,16 +285,17 @@ final class BrickCopy {
 
     /** Begins anew, because the source has forgotten its bricks. */
     void forget() {
-      made = 0;
+      missing = ALL;
     }
 
     /** Makes some bricks of the copy that holds the window around corner (x,y,z). */
     void make(CollisionScene scene, int x, int y, int z) {
       moveTo(brick(x), brick(y), brick(z));
       long end = cells.columns() + MAX_COLUMNS;
-      for (int n = 0; n < MAX_BRICKS && made < COUNT && cells.columns() < end; n++) {
-        cells.brick(scene, lowX + (made & 3), lowY + (made >> 2 & 3), lowZ + (made >> 4));
-        made++;
+      for (int n = 0; n < MAX_BRICKS && missing != 0 && cells.columns() < end; n++) {
+        int next = Long.numberOfTrailingZeros(missing);
+        missing &= missing - 1;
+        cells.brick(scene, lowX + (next & 3), lowY + (next >> 2 & 3), lowZ + (next >> 4));
       }
     }
 
@@ -286,10 +305,10 @@ final class BrickCopy {
 
     private void moveTo(int x, int y, int z) {
       if (x != lowX || y != lowY || z != lowZ) {
+        missing = ~moved(~missing, x - lowX, y - lowY, z - lowZ);
         lowX = x;
         lowY = y;
         lowZ = z;
-        made = 0;
       }
     }
   }

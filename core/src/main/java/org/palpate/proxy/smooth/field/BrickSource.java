@@ -33,6 +33,16 @@ interface BrickSource {
   }
 
   /**
+   * Whether some cells of a brick are all solid. A source that makes its bricks does not make one
+   * if it can tell without.
+   *
+   * @param cells the cells, in the order of the word of a brick
+   */
+  default boolean areSolid(CollisionScene scene, int x, int y, int z, long cells) {
+    return (~brick(scene, x, y, z) & cells) == 0;
+  }
+
+  /**
    * Returns how many columns were interpolated so far between slices to make bricks; 0 if the
    * source makes none. Bricks that are still cached take no such work.
    */

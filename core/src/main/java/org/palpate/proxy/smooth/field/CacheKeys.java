@@ -44,16 +44,26 @@ final class CacheKeys {
     return ((z & mask) << shift | (y & mask)) << shift | (x & mask);
   }
 
+  /** Whether a slot holds a position. */
+  boolean holds(int slot, int x, int y, int z) {
+    return keys[LONGS * slot] == first(x, y) && keys[LONGS * slot + 1] == second(z);
+  }
+
   /** Whether a slot holds a position; otherwise it does from now on. */
   boolean holdsElseSet(int slot, int x, int y, int z) {
-    int at = LONGS * slot;
-    long first = (long) x << Integer.SIZE | (y & LOW_INT);
-    long second = (long) z << Integer.SIZE | generation;
-    boolean holds = keys[at] == first && keys[at + 1] == second;
+    boolean holds = holds(slot, x, y, z);
     if (!holds) {
-      keys[at] = first;
-      keys[at + 1] = second;
+      keys[LONGS * slot] = first(x, y);
+      keys[LONGS * slot + 1] = second(z);
     }
     return holds;
+  }
+
+  private static long first(int x, int y) {
+    return (long) x << Integer.SIZE | (y & LOW_INT);
+  }
+
+  private long second(int z) {
+    return (long) z << Integer.SIZE | generation;
   }
 }

@@ -20,17 +20,26 @@ final class CellCorrections {
   private static final long[] MASK_Y = BrickCopy.masks(4, EDGE);
   private static final long[] MASK_Z = BrickCopy.masks(16, EDGE);
 
+  /** The cells beside a window along x that may belong to a brick of it. */
+  private static final int BESIDE = 3;
+
   private final Source[] sources;
   private final BinaryWindow window;
 
   /** The bits from which the window is loaded. */
   private final BrickCopy copy;
 
-  /** For each cell along x, the packed taps with which it adds to the three sums of its row. */
+  /**
+   * For each cell along x, the packed taps with which it adds to the three sums of its row. Before
+   * and behind them are those of {@link #BESIDE} cells beside the window, which are 0.
+   */
   private final long[] weights;
 
   /** The packed sums of each row, y fastest. */
   private final long[] rows = new long[EDGE * EDGE];
+
+  /** Whether the seed reaches all empty cells of the window, so that all corrections count. */
+  private boolean isAllReached;
 
   /** The layers that hold a correction, a bit each. */
   private int layers;
@@ -88,7 +97,7 @@ final class CellCorrections {
     /** For each slot the corrected cells, a bit each. */
     private final long[] corrected;
 
-    /** For each slot and cell the correction, valid where {@link #corrected}. */
+    /** For each slot and cell the correction, 0 where the cell is not {@link #corrected}. */
     private final byte[] corrections;
 
     Slots(int count) {
@@ -98,7 +107,10 @@ final class CellCorrections {
 
     /** Removes the corrections of a brick. */
     void clear(int slot) {
-      corrected[slot] = 0;
+      if (corrected[slot] != 0) {
+        corrected[slot] = 0;
+        Arrays.fill(corrections, CELLS * slot, CELLS * (slot + 1), (byte) 0);
+      }
     }
 
     /** Returns the cells of a brick whose occupancy differs from their bit, a bit each. */
@@ -109,16 +121,29 @@ final class CellCorrections {
     /**
      * Returns by how much the occupancy of a cell differs from its bit, in {@link #FRACTIONS}.
      *
-     * @param bit the cell's place in the brick's word; a corrected one
+     * @param bit the cell's place in the brick's word
      */
     int correction(int slot, int bit) {
       return corrections[CELLS * slot + bit];
     }
 
+    /**
+     * Returns the corrections of four cells side by side along x, each times its weight.
+     *
+     * @param bit the place of the first one in the brick's word
+     * @param first its weight is element {@code first} of {@code weights}
+     */
+    long weighedRow(int slot, int bit, long[] weights, int first) {
+      int at = CELLS * slot + bit;
+      return corrections[at] * weights[first]
+          + corrections[at + 1] * weights[first + 1]
+          + corrections[at + 2] * weights[first + 2]
+          + corrections[at + 3] * weights[first + 3];
+    }
+
     /** Adds to the correction of a cell; the sum must fit into a byte. */
     void add(int slot, int bit, int correction) {
-      int before = (corrected[slot] >>> bit & 1) == 0 ? 0 : correction(slot, bit);
-      corrections[CELLS * slot + bit] = (byte) (before + correction);
+      corrections[CELLS * slot + bit] += (byte) correction;
       corrected[slot] |= 1L << bit;
     }
   }
@@ -131,7 +156,8 @@ final class CellCorrections {
   CellCorrections(List<Source> sources, BinaryWindow window, long[] weights) {
     this.sources = sources.toArray(new Source[0]);
     this.window = window;
-    this.weights = weights;
+    this.weights = new long[EDGE + 2 * BESIDE];
+    System.arraycopy(weights, 0, this.weights, BESIDE, EDGE);
     copy = window.copy();
     correctedBricks = new long[sources.size()];
   }
@@ -167,6 +193,7 @@ final class CellCorrections {
     if (!isKnown || knownReads != copy.reads()) {
       findCorrectedBricks(scene);
     }
+    isAllReached = !window.anyUnreached();
     for (int n = 0; n < sources.length; n++) {
       for (long left = correctedBricks[n]; left != 0; left &= left - 1) {
         readBrick(scene, sources[n], Long.numberOfTrailingZeros(left));
@@ -183,10 +210,8 @@ final class CellCorrections {
     int y = copy.lowY() >> 2;
     int z = copy.lowZ() >> 2;
     long kept = isKnown ? BrickCopy.overlap(x - knownX, y - knownY, z - knownZ) : 0;
-    int offset = BrickCopy.number(x - knownX, y - knownY, z - knownZ);
     for (int n = 0; n < sources.length; n++) {
-      long before = correctedBricks[n];
-      long found = kept & (offset >= 0 ? before >>> offset : before << -offset);
+      long found = kept & BrickCopy.moved(correctedBricks[n], x - knownX, y - knownY, z - knownZ);
       for (long left = ~kept; left != 0; left &= left - 1) {
         int brick = Long.numberOfTrailingZeros(left);
         boolean any =
@@ -211,21 +236,41 @@ final class CellCorrections {
       int slot =
           source.slotOf(
               scene, knownX + (brick & 3), knownY + (brick >> 2 & 3), knownZ + (brick >> 4));
-      add(source, slot, source.slots().corrected(slot) & inside, x, y, z);
+      long cells = source.slots().corrected(slot) & inside;
+      if (isAllReached) {
+        addRows(source.slots(), slot, cells, x, y, z);
+      } else {
+        addReached(source, slot, cells, x, y, z);
+      }
     }
   }
 
-  /** Adds the corrections of some cells of a brick that begins at a cell of the window. */
-  private void add(Source source, int slot, long cells, int brickX, int brickY, int brickZ) {
-    boolean all = !window.anyUnreached();
+  /**
+   * Adds the corrections of some cells of a brick that begins at a cell of the window: all those of
+   * the brick that lie in the window.
+   */
+  private void addRows(Slots found, int slot, long cells, int brickX, int brickY, int brickZ) {
+    long left = cells;
+    while (left != 0) {
+      int bit = Long.numberOfTrailingZeros(left) & ~3;
+      int y = brickY + (bit >> 2 & 3);
+      int z = brickZ + (bit >> 4);
+      rows[EDGE * z + y] += found.weighedRow(slot, bit, weights, BESIDE + brickX);
+      layers |= 1 << z;
+      left &= ~(0xFL << bit);
+    }
+  }
+
+  /** Adds the corrections of those of some cells of a brick that count in this window. */
+  private void addReached(Source source, int slot, long cells, int brickX, int brickY, int brickZ) {
     Slots found = source.slots();
     for (long left = cells; left != 0; left &= left - 1) {
       int bit = Long.numberOfTrailingZeros(left);
       int x = brickX + (bit & 3);
       int y = brickY + (bit >> 2 & 3);
       int z = brickZ + (bit >> 4);
-      if (all || source.counts(window, x, y, z)) {
-        rows[EDGE * z + y] += found.correction(slot, bit) * weights[x];
+      if (source.counts(window, x, y, z)) {
+        rows[EDGE * z + y] += found.correction(slot, bit) * weights[BESIDE + x];
         layers |= 1 << z;
       }
     }
@@ -236,8 +281,8 @@ final class CellCorrections {
     return (layers >>> z & 1) != 0;
   }
 
-  /** Returns what the cells of a row add to its three packed sums. */
-  long ofRow(int y, int z) {
-    return rows[EDGE * z + y];
+  /** Returns what the cells of each row add to its three packed sums, y fastest. */
+  long[] ofRows() {
+    return rows;
   }
 }

@@ -43,7 +43,7 @@ final class Terraces implements CellCorrections.Source {
   private final BrickCopy copy;
   private final Axis[] axes;
 
-  /** The bricks that have a terrace and whose corrections are known. */
+  /** The bricks whose corrections are known, most of which have none. */
   private final CacheKeys keys = new CacheKeys(BRICKS);
 
   private final CellCorrections.Slots slots = new CellCorrections.Slots(keys.slots());
@@ -89,20 +89,11 @@ final class Terraces implements CellCorrections.Source {
     if (brick == SOLID) {
       return false;
     }
-    boolean any = false;
-    for (Axis axis : axes) {
-      axis.findLayers(scene, copy, brick, number);
-      any |= axis.hasTerrace();
-    }
-    return any && isCorrected(scene, x, y, z);
-  }
-
-  /** Whether any cell of a brick that has a terrace is corrected. */
-  private boolean isCorrected(CollisionScene scene, int x, int y, int z) {
     int slot = keys.slot(x, y, z);
     if (!keys.holdsElseSet(slot, x, y, z)) {
       slots.clear(slot);
       for (Axis axis : axes) {
+        axis.findLayers(scene, copy, brick, number);
         if (axis.hasTerrace()) {
           axis.slices.use(scene);
           correctTiles(axis, x, y, z, slot);
@@ -202,16 +193,12 @@ final class Terraces implements CellCorrections.Source {
     void findLayers(CollisionScene scene, BrickCopy copy, long brick, int brickNumber) {
       empty = brick == 0 ? ALL_LAYERS : ~layersOf(brick) & ALL_LAYERS;
       solid = brick == 0 ? 0 : (~layersOf(~brick) & ALL_LAYERS) << 1;
-      if ((empty & 1) != 0 && isSolid(copy.beside(scene, brickNumber, number, -1), lastLayer)) {
+      if ((empty & 1) != 0 && copy.areSolidBeside(scene, brickNumber, number, -1, lastLayer)) {
         solid |= 1;
       }
-      if ((empty & 8) != 0 && isSolid(copy.beside(scene, brickNumber, number, 1), firstLayer)) {
+      if ((empty & 8) != 0 && copy.areSolidBeside(scene, brickNumber, number, 1, firstLayer)) {
         solid |= 1 << 5;
       }
-    }
-
-    private static boolean isSolid(long brick, long layer) {
-      return (~brick & layer) == 0;
     }
 
     /** Whether an empty layer of the brick lies beside a solid one. */

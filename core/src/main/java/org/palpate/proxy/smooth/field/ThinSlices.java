@@ -148,6 +148,17 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     return bricks[slotOf(scene, x, y, z)];
   }
 
+  @Override
+  public boolean areSolid(CollisionScene scene, int x, int y, int z, long cells) {
+    if (!brickKeys.holds(brickKeys.slot(x, y, z), x, y, z)) {
+      slices.use(scene);
+      if ((~possiblySolid(x, y, z) & cells) != 0) {
+        return false;
+      }
+    }
+    return (~brick(scene, x, y, z) & cells) == 0;
+  }
+
   /** Returns the slot that holds a brick and its corrections until another one is asked for. */
   @Override
   public int slotOf(CollisionScene scene, int x, int y, int z) {
@@ -185,6 +196,32 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
       case 1 -> slices.turned(thinBrick(x, z, y, slot));
       default -> thinBrick(x, y, z, slot);
     };
+  }
+
+  /** Returns the cells of a brick that may be solid, as far as it shows without interpolation. */
+  private long possiblySolid(int x, int y, int z) {
+    return switch (cut.axis()) {
+      case 0 -> slices.turned(betweenSolid(z, y, x));
+      case 1 -> slices.turned(betweenSolid(x, z, y));
+      default -> betweenSolid(x, y, z);
+    };
+  }
+
+  /** Returns the cells of a brick that lie between two pixels of which one is solid, or both. */
+  private long betweenSolid(int u, int v, int w) {
+    int slot = pairs.slotOf(w);
+    int lowW = pairs.pair(slot, 0) >> 2;
+    int highW = (pairs.pair(slot, 3) + 1) >> 2;
+    long low = slices.brick(u, v, lowW);
+    long high = highW == lowW ? low : slices.brick(u, v, highW);
+    long brick = 0;
+    for (int n = 0; n < 4; n++) {
+      int pair = pairs.pair(slot, n);
+      int lower = SliceBits.pixels(pair >> 2 == lowW ? low : high, pair);
+      int upper = SliceBits.pixels((pair + 1) >> 2 == lowW ? low : high, pair + 1);
+      brick |= (long) (lower | upper) << (COLUMNS * n);
+    }
+    return brick;
   }
 
   private long thinBrick(int u, int v, int w, int to) {

@@ -26,13 +26,16 @@ class CacheKeysTest {
   @Test
   void thePositionThatWasSetLastHoldsItsSlot() {
     int slot = keys.slot(1, -2, 3);
+    assertFalse(keys.holds(slot, 1, -2, 3));
     assertFalse(keys.holdsElseSet(slot, 1, -2, 3));
+    assertTrue(keys.holds(slot, 1, -2, 3));
     assertTrue(keys.holdsElseSet(slot, 1, -2, 3));
     for (int axis = 0; axis < 3; axis++) {
       int x = 1 + (axis == 0 ? 4 : 0);
       int y = -2 + (axis == 1 ? 4 : 0);
       int z = 3 + (axis == 2 ? 4 : 0);
       assertEquals(slot, keys.slot(x, y, z));
+      assertFalse(keys.holds(slot, x, y, z));
       assertFalse(keys.holdsElseSet(slot, x, y, z));
       assertFalse(keys.holdsElseSet(slot, 1, -2, 3));
     }

@@ -57,6 +57,44 @@ class ThinSlicesTest {
     assertTrue(found > bricks, "too few bricks had a surface: " + found);
   }
 
+  /** Asks one source for cells, and another one for the bricks that hold them. */
+  @ParameterizedTest
+  @CsvSource({"0, 2", "1, 1.5", "2, 3", "2, 5"})
+  void solidCellsAreThoseOfTheBrickWhetherItIsMadeOrNot(int axis, double ratio) {
+    Vec3 edges = edges(axis, ratio);
+    int solid = 0;
+    for (Solid shape : solids()) {
+      fill(shape);
+      ThinSlices asked = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
+      ThinSlices made = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
+      for (int n = 0; n < RandomCases.of(200); n++) {
+        int[] at = randomBrick(edges);
+        long cells = n % 2 == 0 ? 0x1111_1111_1111_1111L << (n & 3) : random.nextLong();
+        boolean expected = (~made.brick(scene, at[0], at[1], at[2]) & cells) == 0;
+        String where = "seed=" + SEED + " n=" + n;
+        assertEquals(expected, asked.areSolid(scene, at[0], at[1], at[2], cells), where);
+        solid += expected ? 1 : 0;
+        assertEquals(
+            made.brick(scene, at[0], at[1], at[2]), asked.brick(scene, at[0], at[1], at[2]), where);
+        assertEquals(expected, asked.areSolid(scene, at[0], at[1], at[2], cells), where);
+      }
+    }
+    assertTrue(solid > 10, "solid " + solid);
+  }
+
+  @Test
+  void cellsBesideEmptyVoxelsAreKnownNotToBeSolidWithoutInterpolation() {
+    Vec3 edges = edges(2, 3);
+    fill((i, j, k) -> 2 * (i - 45) + 3 * (k - 45) < 0);
+    ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
+    for (int z = 33; z < 36; z++) {
+      assertFalse(slices.areSolid(scene, 11, 11, z, 0x8888_8888_8888_8888L));
+    }
+    assertEquals(0, slices.columns());
+    slices.brick(scene, 11, 11, 33);
+    assertTrue(slices.columns() > 0, "the surface is there");
+  }
+
   @Test
   void slicesFartherApartThanTenPixelsGetThickerCells() {
     Vec3 edges = edges(2, 16);
