@@ -232,7 +232,7 @@ public abstract class ScalarVolume {
       int from = indexInSlice(i, j, k);
       long levels = 0;
       for (int n = 0; n < LEVELS; n++) {
-        levels |= (long) quantizer.ofInteger(slice[from + n] & 0xff) << (8 * n);
+        levels |= quantizer.ofStored(slice[from + n] & 0xff) << (8 * n);
       }
       return levels;
     }
@@ -264,7 +264,7 @@ public abstract class ScalarVolume {
       int from = indexInSlice(i, j, k);
       long levels = 0;
       for (int n = 0; n < LEVELS; n++) {
-        levels |= (long) quantizer.ofInteger(slice[from + n] & mask) << (8 * n);
+        levels |= quantizer.ofStored(slice[from + n] & mask) << (8 * n);
       }
       return levels;
     }

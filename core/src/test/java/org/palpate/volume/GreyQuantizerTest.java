@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.ScalarVolume.Storage;
 
@@ -14,10 +16,13 @@ class GreyQuantizerTest {
 
   @Test
   void aLevelIsAtLeast128ExactlyFromTheMiddleOn() {
+    double middle = 0;
+    GreyQuantizer levels = new GreyQuantizer(middle, 1);
     for (int n = 0; n < 200_000; n++) {
-      double middle = anyMiddle();
-      GreyQuantizer levels =
-          new GreyQuantizer(middle, 127.5 / Math.exp(20 * random.nextDouble() - 10));
+      if (n % 20 == 0) {
+        middle = anyMiddle();
+        levels = anyLevels(middle);
+      }
       double value = n % 3 == 0 ? near(middle) : anyMiddle();
       int level = levels.of(value);
       assertEquals(value >= middle, level >= 128, "seed=" + seed + " " + middle + " " + value);
@@ -72,10 +77,35 @@ class GreyQuantizerTest {
     }
   }
 
+  @ParameterizedTest
+  @EnumSource(names = {"UINT8", "INT16", "UINT16"})
+  void everyStoredIntegerHasItsLevel(Storage storage) {
+    int least = storage == Storage.INT16 ? Short.MIN_VALUE : 0;
+    int count = storage == Storage.UINT8 ? 256 : 65536;
+    ScalarVolume volume = ScalarVolume.of(VoxelGrid.ofUnitVoxels(count, 1, 1), storage);
+    for (int n = 0; n < count; n++) {
+      volume.set(n, 0, 0, least + n);
+    }
+    for (int cases = 0; cases < 20; cases++) {
+      GreyQuantizer levels = anyLevels(anyMiddle());
+      for (int from = 0; from < count; from += 8) {
+        long eight = volume.levels(from, 0, 0, levels);
+        for (int n = 0; n < 8; n++) {
+          assertEquals(
+              levels.of(least + from + n), eight >>> (8 * n) & 0xff, "seed=" + seed + " " + from);
+        }
+      }
+    }
+  }
+
   @Test
   void refusesASlopeThatIsNotPositive() {
     assertThrows(IllegalArgumentException.class, () -> new GreyQuantizer(0, 0));
     assertThrows(IllegalArgumentException.class, () -> new GreyQuantizer(0, Double.NaN));
+  }
+
+  private GreyQuantizer anyLevels(double middle) {
+    return new GreyQuantizer(middle, 127.5 / Math.exp(20 * random.nextDouble() - 10));
   }
 
   private double anyMiddle() {
