@@ -12,8 +12,8 @@ import org.palpate.geometry.Vec3;
  *
  * <p>Keeps scratch: haptic thread only; allocates nothing. Cost: it looks at bricks in growing
  * cubes around the point, and one comparison passes a full brick or one that is too far away. At a
- * depth of r bricks in a solid these are about (2 r)^3, and never more than reach to the far side
- * of all solids.
+ * depth of r bricks in a solid it looks at about (2 r)^3 bricks. The cubes grow at most until they
+ * contain all solids.
  */
 public final class NearestFreeVoxel {
   private static final int BRICK_EDGE = 4;

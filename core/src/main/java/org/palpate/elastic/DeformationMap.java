@@ -61,7 +61,12 @@ final class DeformationMap {
     Arrays.fill(change, 0);
   }
 
-  /** Blends the field with the one before as it belongs to a contact at a material point. */
+  /**
+   * Blends the field with the one before, in proportion to where a sliding contact is between the
+   * contacts for which the two were computed.
+   *
+   * @param material the contact
+   */
   void slideTo(Vec3 material) {
     part = field.part(material, layout);
   }

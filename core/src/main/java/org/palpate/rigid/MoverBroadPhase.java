@@ -79,8 +79,8 @@ final class MoverBroadPhase {
   }
 
   /**
-   * Makes the box of a mover that of its committed pose. The bounds of voxels do not shrink where
-   * some are removed, so the box of a body keeps its sample points.
+   * Computes the box of a mover anew from its committed pose. The bounds of voxels do not shrink
+   * where some are removed, so the box of a body keeps its sample points.
    */
   void refit(int index) {
     Mover mover = movers[index];

@@ -53,7 +53,7 @@ final class MoverGroup {
     return one.carrier == members[0].mover;
   }
 
-  /** Adds a mover where it is. It must move alone so far. */
+  /** Adds a mover at its present pose. It must neither carry others nor be carried. */
   void add(MoverVerifier other) {
     assert other.mover.carrier == other.mover && !other.carriesOthers() : "moves with others";
     Pose first = members[0].pose();

@@ -35,7 +35,7 @@ public final class HybridWait implements DeadlineWait {
     this.clock = clock;
   }
 
-  /** Waits; sleeps past the deadline if the thread has hardly slept for long. */
+  /** Waits. Sleeps past the deadline if the thread owes the kernel much sleep. */
   @Override
   public void awaitUntil(long deadlineNanos) {
     long before = clock.getAsLong();

@@ -117,8 +117,13 @@ public final class Camera {
   }
 
   /**
-   * Returns the rotation of the side that is seen along with a drag over the picture, world axes,
-   * rad: half a turn for a drag over its height.
+   * Returns the rotation by which a drag over the picture turns the scene. The side that faces the
+   * viewer moves in the direction of the drag.
+   *
+   * @param right the drag to the right, in heights of the picture; one height is half a turn
+   * @param up the drag upwards, in heights of the picture
+   * @param world the axes of the world
+   * @return the rotation vector, world axes, rad
    */
   public Vec3 dragRotation(double right, double up, WorldAxes world) {
     RigidTransform picture = axes(world);

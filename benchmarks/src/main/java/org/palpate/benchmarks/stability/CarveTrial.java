@@ -22,8 +22,8 @@ import org.palpate.volume.VoxelGrid;
 
 /**
  * One set-up of the closed loop with a burr that a person presses into a thick wall, and that cuts.
- * The handle sinks all the time. It counts as stable if it never comes back by the edge of a voxel,
- * because each cut lets the burr fall by up to that.
+ * The handle goes into the wall as the burr cuts. A trial counts as stable if the handle never
+ * moves back outwards by the edge of a voxel or more.
  *
  * @param device the device
  * @param grip the person
@@ -42,8 +42,9 @@ public record CarveTrial(DeviceModel device, Grip grip, Sampling sampling, doubl
    * The result of a trial.
    *
    * @param trial the set-up
-   * @param overDefault the stiffness over the default one
-   * @param outcome its excursion is the longest way back of the handle in the last part of the stay
+   * @param overDefault the stiffness divided by the default one
+   * @param outcome its excursion is the longest motion of the handle back out of the wall, in the
+   *     last part of the stay
    * @param cutMm3 the volume that was cut in the whole motion
    */
   public record Result(CarveTrial trial, double overDefault, Outcome outcome, double cutMm3) {

@@ -28,7 +28,8 @@ final class FreeParts {
   /**
    * Notes which parts have support.
    *
-   * @param solidModulus of each listed cell, which later edits change
+   * @param solidModulus the elastic modulus of each listed cell, 0 without matter; kept, because
+   *     edits change it later
    */
   FreeParts(ActiveCells cells, float[] solidModulus) {
     this.cells = cells;

@@ -133,7 +133,7 @@ final class FilmOptions {
     }
   }
 
-  /** Moves the bodies of a scene to where some rows end. */
+  /** Moves bodies of a scene to the poses that rows give them; of several, the last one counts. */
   static void move(List<BodyPose> rows, SceneLoader bodies) {
     for (BodyPose row : rows) {
       bodies.move(row.body(), row.restToPresent().transform(RigidTransform.identity()));
