@@ -17,9 +17,9 @@ import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.testing.Floor;
 import org.palpate.testing.ScriptedDevice;
 
-/** The records that an observer of a frame receives. The voxels of the floor are 1 x 2 x 3 mm. */
+/** The records that an observer of a frame receives. The voxels of the floor are 4 x 2 x 3 mm. */
 class FrameObserverTest {
-  private static final GridMetric METRIC = new GridMetric(1, 2, 3);
+  private static final GridMetric METRIC = new GridMetric(4, 2, 3);
 
   /** A copy of what the tests read. */
   private record Seen(
@@ -62,8 +62,8 @@ class FrameObserverTest {
   void positionsAreMillimetresAlongTheAxesOfTheGrid() {
     frame.observe(record -> seen.add(Seen.of(record)));
     run(1);
-    assertTrue(last().deviceMm.sameBits(new Vec3(16, 34, 36)));
-    assertTrue(last().toolMm.sameBits(new Vec3(16, 34, 36)));
+    assertTrue(last().deviceMm.sameBits(new Vec3(64, 34, 36)));
+    assertTrue(last().toolMm.sameBits(new Vec3(64, 34, 36)));
     assertEquals(0, last().timeNanos);
     assertFalse(last().contact);
     assertEquals(0, last().contacts);
@@ -82,7 +82,7 @@ class FrameObserverTest {
     press();
     assertTrue(last().contact);
     assertEquals(1, last().contacts);
-    assertTrue(last().deviceMm.sameBits(new Vec3(16, 34, 15)));
+    assertTrue(last().deviceMm.sameBits(new Vec3(64, 34, 15)));
     assertEquals(Floor.TOP * 3, last().toolMm.z, 1e-5);
     assertTrue(last().forceNewton.sameBits(device.lastForce()));
   }

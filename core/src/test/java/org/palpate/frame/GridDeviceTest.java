@@ -3,10 +3,12 @@ package org.palpate.frame;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
+import org.palpate.device.ReadStatus;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.ScriptedDevice;
@@ -25,14 +27,17 @@ class GridDeviceTest {
   @Test
   void aDeviceInTheWorldIsReadInGridCoordinates() {
     DeviceState state = new DeviceState();
-    GridDevice.fromWorld(world, GRID).device().read(state);
+    assertEquals(ReadStatus.FRESH, GridDevice.fromWorld(world, GRID).device().read(state));
     assertEquals("(2.0, 2.0, 2.0)", state.positionMm.toString());
   }
 
   @Test
   void aForceAlongAnAxisOfTheGridTurnsIntoTheWorld() {
-    GridDevice.fromWorld(world, GRID).device().write(new Vec3(3, 0, 0), new Vec3());
+    HapticDevice onGrid = GridDevice.fromWorld(world, GRID).device();
+    assertTrue(onGrid.write(new Vec3(3, 0, 0), new Vec3()));
     assertEquals("(0.0, 3.0, 0.0)", world.forces.get(0).toString());
+    world.reachable = false;
+    assertFalse(onGrid.write(new Vec3(3, 0, 0), new Vec3()), "the device could not be reached");
   }
 
   @Test

@@ -249,6 +249,65 @@ class ToolFrameTest {
         () -> edits.offer(new SwapEdit(0, new BitCube(32, 32, 32))));
   }
 
+  @Test
+  void forceAndTorqueRiseFromZeroWithinTheirSlewsAfterSolidsSetTheToolFree() {
+    ScriptedDevice device = device();
+    FrameSettings slow =
+        new FrameSettings(force(), INFINITE, 0.25, 100 * MS, 200 * MS, 1000, INFINITE, 1);
+    ToolFrame frame = frame(device, slow);
+    pressAndTurn(frame);
+    assertTrue(device.lastForce().length() > 0.3, "held: " + device.lastForce());
+    assertTrue(device.lastTorque().length() > 0.3, "held: " + device.lastTorque());
+    edits.offer(new BrushEdit(0, new Vec3(16, 16, 10), 3, true));
+    run(frame, 1);
+    assertTrue(frame.wasFreed());
+    assertEquals(0, device.lastForce().length());
+    assertEquals(0, device.lastTorque().length());
+    run(frame, 2);
+    assertTrue(device.lastForce().length() < 0.2, "it rises from zero: " + device.lastForce());
+    assertTrue(device.lastTorque().length() < 0.5, "it rises from zero: " + device.lastTorque());
+  }
+
+  @Test
+  void theMostPointsThatKeptLessThanTheirClearanceAreThoseOfAnyFrame() {
+    ScriptedDevice device = device();
+    ToolFrame frame = frame(device, unlimited());
+    deviceZ = 12.3; // the lower face of the plate lies at 11.3
+    run(frame, 3);
+    assertEquals(0, frame.mostReducedPoints());
+    edits.offer(new VoxelEdit(0, 16, 16, 10, true));
+    run(frame, 2);
+    int most = frame.motion().reducedPoints();
+    assertTrue(most > 0);
+    assertEquals(most, frame.mostReducedPoints());
+  }
+
+  @Test
+  void skipsOfAnEarlierFrameWithTheSameSolverDoNotCount() {
+    ScriptedDevice device = device();
+    RigidSolver solver =
+        new RigidSolver(bodies, plate, RigidSettings.ofWholeBodies(8, bodies, plate));
+    ToolFrame first = frame(device, solver);
+    pressAndTurn(first);
+    assertTrue(skips(first) > 0);
+    assertEquals(0, skips(frame(device, solver)));
+  }
+
+  private static long skips(ToolFrame frame) {
+    return frame.statistics().skipped().values().stream().mapToLong(Long::longValue).sum();
+  }
+
+  private ToolFrame frame(ScriptedDevice device, RigidSolver solver) {
+    return new ToolFrame(
+        device,
+        bodies,
+        solver,
+        RigidCoupling.of(plate, 0.5),
+        unlimited(),
+        edits,
+        ToolFramePublisher.NONE);
+  }
+
   /** Otherwise that frame would grow the whole floor anew and be late. */
   @Test
   void theFirstFrameAfterASilenceWithManyEditsReadsFewVoxels() {
