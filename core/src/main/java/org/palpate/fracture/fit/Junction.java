@@ -36,6 +36,12 @@ final class Junction {
   /** The largest distance of a point that faces the other, edges. */
   private static final double OPEN_EDGES = 4;
 
+  /** The same deviation for faces that were fitted exactly, edges. */
+  private static final double EXACT_EDGES = 0.2;
+
+  /** The weight of contact that is exact, which few poses but the true one have. */
+  private static final double EXACT_WEIGHT = 4;
+
   private static final double SKIN_WEIGHT = 0.5;
   private static final double INSIDE_COST = 2;
   private static final double OPEN_COST = 0.5;
@@ -174,14 +180,36 @@ final class Junction {
     return sum * surface.areaMm2() * surface.points().size() / points.length;
   }
 
+  /**
+   * Scores a pose that was fitted exactly: exact contact counts more than all else.
+   *
+   * @param points indices of evenly spread points of the whole surface
+   * @return the area that speaks for the pose less the area against it, mm^2
+   */
+  double exactScore(Pose pose, int[] points) {
+    map.set(pose);
+    double exact = 0;
+    for (int n : points) {
+      exact += faces(n) ? touching(EXACT_EDGES) : 0;
+    }
+    double areaMm2 = exact * surface.areaMm2() * surface.points().size() / points.length;
+    return score(pose, points) + EXACT_WEIGHT * areaMm2;
+  }
+
   private double faceScore(int n) {
     if (!faces(n)) {
       return 0;
     }
-    double contact = bell((faced.heightMm() - gapMm) / (CONTACT_EDGES * edgeMm));
+    boolean isOpen =
+        bell((faced.heightMm() - gapMm) / (CONTACT_EDGES * edgeMm)) == 0
+            && faced.heightMm() < OPEN_EDGES * edgeMm;
+    return isOpen ? -OPEN_COST : touching(CONTACT_EDGES);
+  }
+
+  /** Returns how well the point that faces the other touches it with its normal reversed. */
+  private double touching(double widthEdges) {
     double unlike = (1 + faced.normal().dot(normal)) / UNLIKE;
-    boolean isOpen = contact == 0 && faced.heightMm() < OPEN_EDGES * edgeMm;
-    return isOpen ? -OPEN_COST : contact * Math.max(0, 1 - unlike);
+    return bell((faced.heightMm() - gapMm) / (widthEdges * edgeMm)) * Math.max(0, 1 - unlike);
   }
 
   /**

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import org.palpate.geometry.Pose;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -95,6 +96,14 @@ public final class Reassembly {
       place(best.fragment, best.other);
     }
     return Optional.ofNullable(best);
+  }
+
+  /**
+   * {@return the indices of the fragments that were not added: none of the poses that were tried
+   * speaks for them next to one in place}
+   */
+  public List<Integer> left() {
+    return IntStream.range(0, inPlace.length).filter(n -> !inPlace[n]).boxed().toList();
   }
 
   private Optional<GlobalFit.Proposal> fit(int fragment, int other) {

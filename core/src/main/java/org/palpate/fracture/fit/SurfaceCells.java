@@ -7,24 +7,37 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * The surface of a fragment at rest in cubic cells. Each cell near the surface knows the surface
- * point nearest to its centre, so that a look-up costs one load. One thread an instance.
+ * The surface of a fragment at rest in cubic cells. Each cell less than five cells from the surface
+ * knows the surface point nearest to its centre, so that a look-up costs two loads. Only bricks of
+ * cells that are near the surface are stored, so the memory grows with the surface and not with the
+ * box of the fragment. One thread an instance.
  */
 final class SurfaceCells {
   /** The distance from the surface up to which cells know a point, cells. */
   private static final int REACH_CELLS = 5;
 
   private static final int FAR = -1;
-  private static final int DEEP = -2;
+
+  /** Cells along an edge of a brick, as a power of two. */
+  private static final int BRICK_BITS = 3;
+
+  private static final int IN_BRICK = (1 << BRICK_BITS) - 1;
+  private static final int CELLS_OF_BRICK = 1 << (3 * BRICK_BITS);
 
   private final List<Vec3> points;
   private final List<Vec3> normals;
+  private final BitCube bits;
+  private final VoxelGrid grid;
   private final double cellMm;
   private final Vec3 low = new Vec3();
-  private final int sizeX;
-  private final int sizeY;
-  private final int sizeZ;
-  private final int[] nearest;
+  private final int bricksX;
+  private final int bricksY;
+  private final int bricksZ;
+
+  /** The nearest point of each cell of each brick; null for a brick with no point near. */
+  private final int[][] bricks;
+
+  private final Vec3 voxel = new Vec3();
   private double heightMm;
   private int found;
 
@@ -51,6 +64,8 @@ final class SurfaceCells {
   SurfaceCells(FragmentSurface surface, BitCube bits, VoxelGrid grid, double cellMm) {
     points = surface.points();
     normals = surface.normals();
+    this.bits = bits;
+    this.grid = grid;
     this.cellMm = cellMm;
     low.set(points.get(0));
     Vec3 high = new Vec3().set(points.get(0));
@@ -60,17 +75,15 @@ final class SurfaceCells {
     }
     double marginMm = (REACH_CELLS + 1) * cellMm;
     low.set(low.x - marginMm, low.y - marginMm, low.z - marginMm);
-    sizeX = (int) ((high.x + marginMm - low.x) / cellMm) + 1;
-    sizeY = (int) ((high.y + marginMm - low.y) / cellMm) + 1;
-    sizeZ = (int) ((high.z + marginMm - low.z) / cellMm) + 1;
-    nearest = new int[Math.multiplyExact(Math.multiplyExact(sizeX, sizeY), sizeZ)];
+    bricksX = (cell(high.x + marginMm, low.x) >> BRICK_BITS) + 1;
+    bricksY = (cell(high.y + marginMm, low.y) >> BRICK_BITS) + 1;
+    bricksZ = (cell(high.z + marginMm, low.z) >> BRICK_BITS) + 1;
+    bricks = new int[Math.multiplyExact(Math.multiplyExact(bricksX, bricksY), bricksZ)][];
     spread();
-    markInside(bits, grid);
   }
 
   /** Gives each cell near the surface the index of the nearest point. */
   private void spread() {
-    Arrays.fill(nearest, FAR);
     for (int n = 0; n < points.size(); n++) {
       int i = cell(points.get(n).x, low.x);
       int j = cell(points.get(n).y, low.y);
@@ -78,10 +91,10 @@ final class SurfaceCells {
       for (int w = k - REACH_CELLS; w <= k + REACH_CELLS; w++) {
         for (int v = j - REACH_CELLS; v <= j + REACH_CELLS; v++) {
           for (int u = i - REACH_CELLS; u <= i + REACH_CELLS; u++) {
-            int index = index(u, v, w);
-            int other = nearest[index];
-            if (other < 0 || square(n, u, v, w) < square(other, u, v, w)) {
-              nearest[index] = n;
+            int[] cells = storedBrick(u, v, w);
+            int at = inBrick(u, v, w);
+            if (cells[at] == FAR || square(n, u, v, w) < square(cells[at], u, v, w)) {
+              cells[at] = n;
             }
           }
         }
@@ -89,8 +102,22 @@ final class SurfaceCells {
     }
   }
 
-  private int index(int i, int j, int k) {
-    return (k * sizeY + j) * sizeX + i;
+  private int[] storedBrick(int i, int j, int k) {
+    int brick = brick(i, j, k);
+    if (bricks[brick] == null) {
+      bricks[brick] = new int[CELLS_OF_BRICK];
+      Arrays.fill(bricks[brick], FAR);
+    }
+    return bricks[brick];
+  }
+
+  private int brick(int i, int j, int k) {
+    return ((k >> BRICK_BITS) * bricksY + (j >> BRICK_BITS)) * bricksX + (i >> BRICK_BITS);
+  }
+
+  private static int inBrick(int i, int j, int k) {
+    int slice = ((k & IN_BRICK) << BRICK_BITS) + (j & IN_BRICK);
+    return (slice << BRICK_BITS) + (i & IN_BRICK);
   }
 
   /** Returns the squared distance of a point from the centre of a cell. */
@@ -102,24 +129,9 @@ final class SurfaceCells {
     return x * x + y * y + z * z;
   }
 
-  private void markInside(BitCube bits, VoxelGrid grid) {
-    Vec3 centre = new Vec3();
-    for (int k = 0; k < sizeZ; k++) {
-      for (int j = 0; j < sizeY; j++) {
-        for (int i = 0; i < sizeX; i++) {
-          if (nearest[index(i, j, k)] == FAR) {
-            centre.set(i + 0.5, j + 0.5, k + 0.5).mul(cellMm, centre).add(low, centre);
-            grid.worldToGrid(centre, centre);
-            boolean isInside =
-                bits.get(
-                    (int) Math.floor(centre.x),
-                    (int) Math.floor(centre.y),
-                    (int) Math.floor(centre.z));
-            nearest[index(i, j, k)] = isInside ? DEEP : FAR;
-          }
-        }
-      }
-    }
+  /** Returns the number of cells that are stored. */
+  long storedCells() {
+    return CELLS_OF_BRICK * Arrays.stream(bricks).filter(brick -> brick != null).count();
   }
 
   private int cell(double at, double from) {
@@ -139,18 +151,28 @@ final class SurfaceCells {
     int i = cell(x, low.x);
     int j = cell(y, low.y);
     int k = cell(z, low.z);
-    if (i < 0 || j < 0 || k < 0 || i >= sizeX || j >= sizeY || k >= sizeZ) {
+    if (i < 0 || j < 0 || k < 0) {
       return Place.FAR;
     }
-    int index = nearest[index(i, j, k)];
-    if (index < 0) {
-      return index == DEEP ? Place.DEEP : Place.FAR;
+    if (i >> BRICK_BITS >= bricksX || j >> BRICK_BITS >= bricksY || k >> BRICK_BITS >= bricksZ) {
+      return Place.FAR;
+    }
+    int[] cells = bricks[brick(i, j, k)];
+    int index = cells == null ? FAR : cells[inBrick(i, j, k)];
+    if (index == FAR) {
+      return isInside(x, y, z) ? Place.DEEP : Place.FAR;
     }
     found = index;
     Vec3 p = points.get(found);
     Vec3 n = normals.get(found);
     heightMm = (x - p.x) * n.x + (y - p.y) * n.y + (z - p.z) * n.z;
     return Place.NEAR;
+  }
+
+  private boolean isInside(double x, double y, double z) {
+    grid.worldToGrid(voxel.set(x, y, z), voxel);
+    return bits.get(
+        (int) Math.floor(voxel.x), (int) Math.floor(voxel.y), (int) Math.floor(voxel.z));
   }
 
   /** Returns the height above the tangent plane of the nearest point, mm; negative inside. */
