@@ -73,6 +73,23 @@ class AssessCommandTest {
     assertTrue(Files.readString(training.resolve("assessment.json")).contains("\"nearest_mm\""));
   }
 
+  private static String limited(Path training) throws IOException {
+    return FlatJson.read(training.resolve("assessment.json")).get("/force_limited");
+  }
+
+  @Test
+  void aReplayWithALargestForceIsLimitedAndReplacesAnEarlierAssessment() throws IOException {
+    Path training = folder.resolve("training");
+    for (String[] limit : new String[][] {{}, {"--max-force", "0.5"}}) {
+      List<Object> replay = new ArrayList<>(List.of("replay", "--phantom", "sphere:32"));
+      replay.addAll(List.of("--trajectory", pressing(), "--assess", training, "--stiffness", 0.5));
+      replay.addAll(List.of(limit));
+      run(replay.toArray());
+      assertEquals(limit.length == 0 ? "false" : "true", limited(training));
+      assertEquals(limit.length == 0, value(training, "max_force_n") > 0.5);
+    }
+  }
+
   @Test
   void aRecordedSessionIsAssessedAsItsReplayIs() throws IOException {
     Path live = folder.resolve("live");
@@ -109,6 +126,11 @@ class AssessCommandTest {
     assertEquals(value(live, "tool_path_mm"), value(again, "tool_path_mm"), 1e-6);
     assertEquals(value(live, "hand_path_mm"), value(again, "hand_path_mm"), 1e-6);
     assertEquals(value(live, "contacts"), value(again, "contacts"));
+    assertEquals("true", limited(live));
+    assertEquals("false", limited(again));
+    String page = Files.readString(again.resolve("assessment.html"));
+    assertTrue(page.contains("Forces have no limit, because a replay knows no device"), page);
+    assertFalse(Files.readString(live.resolve("assessment.html")).contains("have no limit"));
     assertEquals(value(live, "rms_mm"), value(again, "rms_mm"), 1e-9);
     for (String table : List.of("segments.csv", "tremor.csv", "course.csv")) {
       int rows = Files.readAllLines(live.resolve(table)).size();

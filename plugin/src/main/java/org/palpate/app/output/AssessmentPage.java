@@ -1,5 +1,6 @@
 package org.palpate.app.output;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
@@ -64,6 +65,7 @@ final class AssessmentPage {
   private final SessionAssessor assessor;
   private final AssessmentValues values;
   private final UnaryOperator<Vec3> world;
+  private final List<String> aboutForce = new ArrayList<>();
   private final StringBuilder page = new StringBuilder(HEAD);
 
   /**
@@ -75,6 +77,11 @@ final class AssessmentPage {
     this.assessor = assessor;
     this.values = values;
     this.world = world;
+  }
+
+  /** Adds a sentence below the plot of the force. */
+  void noteAboutForce(String sentence) {
+    aboutForce.add(sentence);
   }
 
   /** Returns the page. */
@@ -152,6 +159,7 @@ final class AssessmentPage {
     plot.line("mean", seconds, mean);
     page.append(plot.svg("Force over time"));
     note("Dark: largest force of each interval; light: its mean. Red: a protected segment.");
+    aboutForce.forEach(this::note);
   }
 
   private PlotAxis time() {

@@ -119,6 +119,11 @@ final class AssessmentValues {
     return row;
   }
 
+  /** Adds whether a device or an option limits the forces. */
+  void putLimited(boolean isLimited) {
+    fields.put("force_limited", isLimited);
+  }
+
   /** Returns the fields of the file of values, in order. */
   Map<String, Object> fields() {
     return fields;

@@ -37,10 +37,17 @@ public final class SessionAssessment {
   private final Path folder;
   private final ContactScene scene;
   private final boolean isRigid;
+
+  /** Whether a device or an option limits the forces. */
+  private boolean isLimited = true;
+
   private final List<String> objects = new ArrayList<>();
   private final Set<Integer> forbidden = new TreeSet<>();
   private final FrameRecorder ring = new FrameRecorder();
   private final SessionAssessor assessor;
+
+  private static final String WITHOUT_LIMIT =
+      "Forces have no limit, because a replay knows no device; --max-force sets one.";
 
   /** Writes one file of the assessment. */
   private interface Content {
@@ -80,6 +87,7 @@ public final class SessionAssessment {
 
   /** Returns the observer for the frames of a replay. No call of {@link #drain} is needed. */
   public FrameObserver replayed() {
+    isLimited = scene.settings().maxForceNewton().isPresent();
     return frame -> {
       ring.accept(frame);
       drain();
@@ -101,7 +109,11 @@ public final class SessionAssessment {
     assessor.finish();
     AssessmentValues values =
         new AssessmentValues(assessor, objects, forbidden, ring.overflows(), report);
+    values.putLimited(isLimited);
     AssessmentPage page = new AssessmentPage(assessor, values, this::world);
+    if (!isLimited) {
+      page.noteAboutForce(WITHOUT_LIMIT);
+    }
     write(failures, AssessOptions.VALUES, file -> ReportJson.write(values.fields(), file));
     write(failures, AssessOptions.SEGMENTS, file -> table(file, values.segments()));
     write(failures, AssessOptions.HOLDS, file -> table(file, values.holds()));
