@@ -130,8 +130,20 @@ final class TouchReport {
             loop.workMicros().p99(),
             loop.workMicros().max(),
             loop.granted().schedulingClass()));
+    out.println(lateness(loop.latenessMicros()));
+    session.elastic().ifPresent(body -> out.println(ElasticFields.line(body.counters())));
     loop.granted().refusals().forEach(refusal -> out.println("real time: " + refusal));
     out.flush();
+  }
+
+  /** Returns how late frames began, as a line. */
+  static String lateness(Quantiles micros) {
+    return String.format(
+        Locale.ROOT,
+        "lateness %.1f us, 99 %% under %.1f us, at most %.1f us",
+        micros.p50(),
+        micros.p99(),
+        micros.max());
   }
 
   /** Returns about the time of a frame after the first one, s, by the mean rate. */

@@ -1,9 +1,11 @@
 package org.palpate.app.output;
 
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
 import org.palpate.elastic.ElasticBody;
 import org.palpate.elastic.UpdateCounters;
+import org.palpate.io.file.CountText;
 
 /** The fields of a report that state elastic segments. */
 public final class ElasticFields {
@@ -26,6 +28,17 @@ public final class ElasticFields {
     fields.put("elsewhere", counts.elsewhere());
     fields.put("free_parts", body.freeParts());
     return fields;
+  }
+
+  /** Returns how long updates of the elastic segments took, as a line. */
+  public static String line(UpdateCounters counts) {
+    return String.format(
+        Locale.ROOT,
+        "%s of elastic segments, %.1f ms, 99 %% under %.1f ms, at most %.1f ms",
+        CountText.of(counts.updates(), "update"),
+        counts.updateMs(50),
+        counts.updateMs(99),
+        counts.updateMs(100));
   }
 
   private static Map<String, Object> times(UpdateCounters counts) {

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import org.palpate.frame.FrameStatistics;
 import org.palpate.host.ToolReplay;
+import org.palpate.io.file.CountText;
 import org.palpate.tool.MadeTool;
 
 /** Reports a rigid tool and the results of its frames. One thread. */
@@ -30,9 +31,9 @@ public final class ToolReport {
     this.massKg = massKg;
   }
 
-  /** Returns the name and size of a tool, for a line of text. */
+  /** Returns the name of a tool and the number of its points, for a line of text. */
   public static String line(MadeTool made) {
-    return String.format(Locale.ROOT, "tool %s of %,d points", made.name(), made.tool().count());
+    return "tool " + made.name() + " of " + CountText.of(made.tool().count(), "point");
   }
 
   /** Prints a summary of a replay. */
@@ -42,25 +43,30 @@ public final class ToolReport {
         String.format(
             Locale.ROOT,
             "%,d frames, %,d in contact, set free %,d times, largest force %.3f N, largest torque"
-                + " %.3f N mm (%s, %,d points)",
+                + " %.3f N mm (%s, %s)",
             counts.frames(),
             counts.contactFrames(),
             counts.freed(),
             counts.maxForceNewton(),
             counts.maxTorqueNewtonMm(),
             made.name(),
-            made.tool().count()));
+            CountText.of(made.tool().count(), "point")));
     ToolReplay.MovedBodies bodies = result.bodies();
     if (bodies.movable() > 0) {
-      out.println(
-          String.format(
-              Locale.ROOT,
-              "%,d bodies moved by %,d steps, pushed the tool %,d times, were held back %,d times",
-              bodies.movable(),
-              bodies.motions(),
-              bodies.pushes(),
-              bodies.heldBack()));
+      out.println(moved(bodies));
     }
+  }
+
+  /** Returns what bodies did that were not in the hand. A replay moves the one in the hand. */
+  static String moved(ToolReplay.MovedBodies bodies) {
+    return "outside the hand: "
+        + CountText.of(bodies.motions(), "motion")
+        + " of "
+        + CountText.of(bodies.movable(), "movable body", "movable bodies")
+        + ", "
+        + CountText.of(bodies.pushes(), "push", "pushes")
+        + " of the tool, held back "
+        + CountText.of(bodies.heldBack(), "time");
   }
 
   /** Adds the fields of a replay to a report. */

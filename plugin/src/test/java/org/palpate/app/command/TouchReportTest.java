@@ -9,6 +9,7 @@ import org.palpate.app.options.DeviceChoice;
 import org.palpate.app.process.PalpateException;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopEnd.Cause;
+import org.palpate.loop.Quantiles;
 
 /** Every ending is reported in one line with what, where and what to do. */
 class TouchReportTest {
@@ -45,6 +46,13 @@ class TouchReportTest {
   @Test
   void aStoppedSessionHasExitCodeZero() {
     assertEquals(0, TouchReport.exitCode(new LoopEnd(Cause.STOPPED, null), REAL, ""));
+  }
+
+  @Test
+  void theSummaryShowsTheWorstLateness() {
+    assertEquals(
+        "lateness 3.2 us, 99 % under 41.0 us, at most 1234.5 us",
+        TouchReport.lateness(new Quantiles(3.2, 41, 300, 1234.5)));
   }
 
   private static void assertReports(String line, LoopEnd end, String ending) {
