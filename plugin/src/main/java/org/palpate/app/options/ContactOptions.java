@@ -312,7 +312,7 @@ public final class ContactOptions {
       throws VolumeFormatException {
     ContactSettings settings = settings();
     for (String name : materials.keySet()) {
-      named(segments, "--material ", name, name);
+      NamedSegment.of(segments, "--material ", name, name);
     }
     if (!settings.protectedMm().isEmpty()
         && !(segments.hasOneGrid() && source.placements().stream().allMatch(Placement::isAtRest))) {
@@ -322,7 +322,7 @@ public final class ContactOptions {
           "leave it out, or make all bodies of the scene fixed, without poses, from one volume");
     }
     for (Map.Entry<String, Double> margin : settings.protectedMm().entrySet()) {
-      named(segments, "--protect ", margin.getKey(), margin.getKey());
+      NamedSegment.of(segments, "--protect ", margin.getKey(), margin.getKey());
       checkMargin(segments, margin.getKey(), margin.getValue());
     }
     List<EffectPlan> all = new ArrayList<>(feel.effects());
@@ -360,23 +360,6 @@ public final class ContactOptions {
     }
   }
 
-  /**
-   * Returns the segment of a name.
-   *
-   * @param option the option that names it, with a blank
-   * @param text the value of the option
-   * @throws PalpateException exit code 2, if there is no such segment
-   */
-  static Segment named(SegmentedVolume segments, String option, String text, String name) {
-    return segments.segments().stream()
-        .filter(segment -> segment.name().equals(name))
-        .findFirst()
-        .orElseThrow(
-            () ->
-                PalpateException.wrongUse(
-                    "there is no such segment", option + text, "list them with palpate info"));
-  }
-
   private Optional<GreyIsosurface> grey(VolumeSource source) throws VolumeFormatException {
     if (!allowsGrey()) {
       return Optional.empty();
@@ -405,7 +388,7 @@ public final class ContactOptions {
   private List<EffectPlan> guidance(SegmentedVolume segments) {
     List<EffectPlan> plans = new ArrayList<>();
     for (Protection found : Protection.all(protectedSegments)) {
-      Segment segment = named(segments, "--protect ", found.name(), found.name());
+      Segment segment = NamedSegment.of(segments, "--protect ", found.name(), found.name());
       found.guidance(segment, segments.grid()).ifPresent(plans::add);
     }
     return plans;

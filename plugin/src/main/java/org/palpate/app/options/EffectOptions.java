@@ -150,7 +150,7 @@ public final class EffectOptions {
    */
   static SegmentDistance distance(
       SegmentedVolume segments, String option, String text, String name, double reachMm) {
-    Segment segment = ContactOptions.named(segments, option, text, name);
+    Segment segment = NamedSegment.of(segments, option, text, name);
     VoxelGrid grid = segments.gridOf(segment);
     double voxels = SegmentDistance.voxelsFor(segment.bits(), grid, reachMm);
     if (voxels > SegmentDistance.MOST_VOXELS) {

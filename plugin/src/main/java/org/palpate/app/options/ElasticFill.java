@@ -65,7 +65,8 @@ record ElasticFill(String name, String outer, String inner) {
 
   private BitCube bits(SegmentedVolume volume, String segment) {
     return find(volume, segment)
-        .orElseThrow(() -> refusal("there is no segment " + segment, "list them with palpate info"))
+        .orElseThrow(
+            () -> refusal("there is no segment " + segment, NamedSegment.remedy(volume.segments())))
         .bits();
   }
 

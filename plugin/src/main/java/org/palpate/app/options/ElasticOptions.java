@@ -244,10 +244,7 @@ public final class ElasticOptions {
   }
 
   private static void checkNamed(SegmentedVolume volume, String option, String name) {
-    if (volume.segments().stream().noneMatch(segment -> segment.name().equals(name))) {
-      throw PalpateException.wrongUse(
-          "there is no such segment", option + " " + name, "list them with palpate info");
-    }
+    NamedSegment.of(volume, option + " ", name, name);
   }
 
   private void findFills(SegmentedVolume volume) {

@@ -100,10 +100,15 @@ public final class ToolOptions {
           "Gravity on the mass, m/s^2 along the world's axes, as in" + " 0,0,-9.81. Default: none.")
   private String gravity;
 
+  private static final NumberRange MASS =
+      new NumberRange(
+          "--mass", "the mass", NumberRange.LEAST, NumberRange.MOST, "kg", "0.05 for 50 g");
+
   private static final double MOST_GRAVITY = 100;
   private static final double MM_PER_M = 1e3;
 
-  private boolean isAmongPlacedBodies;
+  /** The option that names bodies with poses, with its value; empty without such bodies. */
+  private Optional<String> placedBodies = Optional.empty();
 
   /**
    * Takes the tool of a scene file. Among bodies that have poses even a point is a rigid tool.
@@ -112,7 +117,7 @@ public final class ToolOptions {
    * @throws PalpateException exit code 2, if an option contradicts the scene
    */
   public void takeFrom(VolumeOptions volume, ParseResult given) throws VolumeFormatException {
-    isAmongPlacedBodies = volume.isPlaced();
+    placedBodies = volume.isPlaced() ? Optional.of(volume.named()) : Optional.empty();
     if (volume.scene().isEmpty()) {
       return;
     }
@@ -140,7 +145,7 @@ public final class ToolOptions {
 
   /** Whether the tool is more than a point, or a point among bodies that have poses. */
   public boolean isRigid() throws VolumeFormatException {
-    return isAmongPlacedBodies || !(request().spec() instanceof ToolSpec.Point);
+    return placedBodies.isPresent() || !(request().spec() instanceof ToolSpec.Point);
   }
 
   /** Whether the tool is a needle, which may enter tissue. */
@@ -167,7 +172,7 @@ public final class ToolOptions {
    * @throws PalpateException exit code 2, if it is out of range
    */
   public OptionalDouble massKg() {
-    return NumberRange.positive("--mass", "the mass", "kg").checkGiven(mass);
+    return MASS.checkGiven(mass);
   }
 
   /**
@@ -285,8 +290,10 @@ public final class ToolOptions {
     } catch (RigidScene.BodiesOverlapException e) {
       throw new VolumeFormatException(
           e.getMessage(),
-          isAmongPlacedBodies ? "--scene" : "--poses",
-          "choose segments and poses that do not overlap",
+          placedBodies.orElse("--poses"),
+          placedBodies.isPresent()
+              ? "change the pose of one of them; palpate info prints by how much they overlap"
+              : "choose segments that do not overlap",
           e);
     }
   }

@@ -98,6 +98,11 @@ public final class VolumeOptions {
     return scene == null ? isBrokenPhantom() : !SceneReader.read(scene).isElastic();
   }
 
+  /** Returns the option that names the bodies, with its value. */
+  String named() {
+    return scene == null ? "--phantom " + phantom() : "--scene " + scene;
+  }
+
   /** Whether the bodies are the fragments of a phantom, which belong where they rest. */
   public boolean isBrokenPhantom() {
     return scene == null && volume == null && FracturePhantom.accepts(phantom());

@@ -28,6 +28,7 @@ import org.palpate.io.scene.BodyReader;
 import org.palpate.io.scene.OpenedScene;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.scene.SceneFile;
+import org.palpate.io.scene.SceneFill;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.LabelTable;
@@ -38,6 +39,7 @@ import org.palpate.io.volume.VolumeHeader;
 import org.palpate.io.volume.VolumeReader;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.fracture.Fragments;
 import org.palpate.volume.phantom.FracturePhantom;
@@ -95,10 +97,10 @@ public final class VolumeSource {
       return new VolumeSource("scene " + scene, bodies, requested, read.isElastic());
     }
     if (file.isEmpty() && FracturePhantom.accepts(options.phantom())) {
-      return ofFracture(parsed(FracturePhantom::parse, options.phantom()), requested);
+      return ofFracture(phantom(FracturePhantom::parse, options.phantom()), requested);
     }
     if (file.isEmpty()) {
-      Phantom phantom = parsed(Phantom::parse, options.phantom());
+      Phantom phantom = phantom(Phantom::parse, options.phantom());
       return new VolumeSource(
           "phantom " + phantom.spec(), new PhantomReader(phantom), Optional.of(phantom), requested);
     }
@@ -162,6 +164,19 @@ public final class VolumeSource {
         fragments, phantom.startPoses(fragments), CoordinateSystem.UNKNOWN);
   }
 
+  /**
+   * Returns the phantom of a specification. A refusal consists of what is wrong, a value, and what
+   * to do; it is printed with the option as the user wrote it.
+   */
+  private static <R> R phantom(Function<String, R> parser, String spec) {
+    try {
+      return parser.apply(spec);
+    } catch (IllegalArgumentException e) {
+      String[] parts = e.getMessage().split(": ");
+      throw PalpateException.wrongUse(parts[0], "--phantom " + spec, parts[parts.length - 1], e);
+    }
+  }
+
   /** Returns what a function makes of an option; what it refuses is wrong use. */
   private static <T, R> R parsed(Function<T, R> function, T option) {
     try {
@@ -212,6 +227,22 @@ public final class VolumeSource {
 
   private Optional<PlacedVolume> bodies() {
     return requested.isEmpty() ? placed : Optional.empty();
+  }
+
+  /**
+   * Returns the fills of a scene file, each as a segment with its voxels.
+   *
+   * @throws VolumeFormatException if one cannot be read
+   */
+  public List<Segment> fills() throws VolumeFormatException {
+    List<Segment> fills = new ArrayList<>();
+    Optional<OpenedScene> origin = placed.flatMap(PlacedVolume::origin);
+    if (origin.isPresent()) {
+      for (SceneFill fill : origin.get().scene().fills()) {
+        fills.add(new Segment(fill.name(), fill.voxels(origin.get().file()), 0));
+      }
+    }
+    return fills;
   }
 
   /** Whether the bodies come from files that a scene names. */

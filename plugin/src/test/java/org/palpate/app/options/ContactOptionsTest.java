@@ -203,10 +203,10 @@ class ContactOptionsTest {
   @Test
   void aMaterialOrAMarginOfASegmentThatIsNotThereIsRefused() {
     Given.refuses(
-        "there is no such segment: --material bone: list them with palpate info",
+        "there is no such segment: --material bone: choose sphere",
         () -> scene(options("--material=bone=stiffness:1"), "--phantom=sphere:16"));
     Given.refuses(
-        "there is no such segment: --protect nerve: list them with palpate info",
+        "there is no such segment: --protect nerve: choose sphere",
         () -> scene(options("--protect=nerve:2"), "--phantom=sphere:16"));
     Given.refuses(
         "the margin is wider than 64 mm, 64 voxels: --protect sphere:64.5: choose a smaller one",

@@ -135,7 +135,7 @@ class EffectOptionsTest {
   @Test
   void aMagnetNeedsASegmentThatIsThereAndNotTooLarge() {
     Given.refuses(
-        "there is no such segment: --effect magnet:bone,1,3: list them with palpate info",
+        "there is no such segment: --effect magnet:bone,1,3: choose sphere",
         () -> plans(options("magnet:bone,1,3"), "--phantom=sphere:16"));
     PalpateException large =
         assertThrows(

@@ -73,7 +73,7 @@ class ElasticFillTest {
   @Test
   void aSegmentThatIsMissingIsNamed() {
     Given.refuses(
-        "there is no segment jaw: --fill tissue=skin..jaw: list them with palpate info",
+        "there is no segment jaw: --fill tissue=skin..jaw: choose skin or skull",
         () -> ElasticFill.parse("tissue", "skin..jaw").voxels(volume));
   }
 

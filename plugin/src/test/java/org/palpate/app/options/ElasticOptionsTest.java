@@ -93,10 +93,10 @@ class ElasticOptionsTest {
   @Test
   void segmentsMustBeThereAndNotTwoThings() {
     Given.refuses(
-        "there is no such segment: --elastic skin: list them with palpate info",
+        "there is no such segment: --elastic skin: choose block or base",
         () -> bodies("--elastic=skin=young:1e4"));
     Given.refuses(
-        "there is no such segment: --fixed skin: list them with palpate info",
+        "there is no such segment: --fixed skin: choose block or base",
         () -> bodies(SOFT, "--fixed=skin"));
     Given.refuses(
         "a segment is elastic and fixed: --fixed block: leave one of them out",

@@ -205,7 +205,7 @@ class FeelOptionsTest {
     assertEquals(0, pull(away, 8, 8, 20).length());
     assertTrue(pull(away, 8, 8, 15).z > 0, "out of the margin");
     Given.refuses(
-        "there is no such segment: --guide away:bone,3: list them with palpate info",
+        "there is no such segment: --guide away:bone,3: choose sphere",
         () -> plans("--guide=away:bone,3"));
   }
 

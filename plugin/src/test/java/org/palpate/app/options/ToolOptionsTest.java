@@ -94,7 +94,8 @@ class ToolOptionsTest {
     assertEquals(OptionalDouble.of(1e-6), options("--mass=1e-6").massKg());
     assertEquals(OptionalDouble.of(7), options("--rotational-stiffness=7").rotationalStiffness());
     Given.refuses(
-        "the mass must be a number from 0.000001 to 1,000,000 kg: --mass 0: try --mass 1",
+        "the mass must be a number from 0.000001 to 1,000,000 kg: --mass 0: try --mass 0.05 for 50"
+            + " g",
         () -> check("--mass=0"));
     Given.refuses(
         "the rotational stiffness must be a number from 0.000001 to 1,000,000 N mm/rad:"

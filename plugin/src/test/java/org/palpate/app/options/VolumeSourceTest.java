@@ -135,13 +135,13 @@ class VolumeSourceTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "cow|no such phantom: cow: choose head, sphere, shell, plane, torus, maze, block or"
-            + " fracture",
-        "head:15|phantom edge out of range: edge=15: choose 16 to 4096",
-        "head:x|phantom edge is not a number: head:x: write NAME[:EDGE][:grey]",
-        "head:64:grey:1|phantom not understood: head:64:grey:1: write NAME[:EDGE][:grey]",
-        "fracture:63|phantom edge out of range: edge=63: choose 64 to 1024",
-        "fracture:64:9|number of fragments out of range: 9: choose 2 to 8"
+        "cow|no such phantom: --phantom cow: choose head, sphere, shell, plane, torus, maze, block"
+            + " or fracture",
+        "head:15|phantom edge out of range: --phantom head:15: choose 16 to 4096",
+        "head:x|phantom edge is not a number: --phantom head:x: write NAME[:EDGE][:grey]",
+        "head:64:grey:1|phantom not understood: --phantom head:64:grey:1: write NAME[:EDGE][:grey]",
+        "fracture:63|phantom edge out of range: --phantom fracture:63: choose 64 to 1024",
+        "fracture:64:9|number of fragments out of range: --phantom fracture:64:9: choose 2 to 8"
       })
   void aPhantomThatIsNotThereIsRefused(String phantom, String line) {
     Given.refuses(line, () -> Given.source("--phantom=" + phantom));
