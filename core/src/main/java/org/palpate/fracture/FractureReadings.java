@@ -13,9 +13,14 @@ import org.palpate.volume.fracture.PosedBits;
  * @param residualDegrees largest rotation from the truth, relative to the reference
  * @param overlapVoxels pairs of voxels of different fragments whose interiors intersect
  * @param pairs the readings of each pair of fragments that face each other
+ * @param overlaps the pairs of fragments that overlap
  */
 public record FractureReadings(
-    double residualMm, double residualDegrees, long overlapVoxels, List<Pair> pairs) {
+    double residualMm,
+    double residualDegrees,
+    long overlapVoxels,
+    List<Pair> pairs,
+    List<Overlap> overlaps) {
 
   /**
    * Readings of two fragments.
@@ -26,9 +31,19 @@ public record FractureReadings(
    */
   public record Pair(int one, int other, PairReadings readings) {}
 
-  /** Copies the list. */
+  /**
+   * Two fragments that overlap.
+   *
+   * @param one the index of one of them
+   * @param other the index of the other
+   * @param voxels the pairs of voxels whose interiors intersect, at least 1
+   */
+  public record Overlap(int one, int other, long voxels) {}
+
+  /** Copies the lists. */
   public FractureReadings {
     pairs = List.copyOf(pairs);
+    overlaps = List.copyOf(overlaps);
   }
 
   /**
@@ -46,6 +61,7 @@ public record FractureReadings(
     double residualDegrees = 0;
     long overlap = 0;
     List<Pair> pairs = new ArrayList<>();
+    List<Overlap> overlaps = new ArrayList<>();
     for (int one = 0; one < fragments.size(); one++) {
       Residual residual = Residual.fromRest(fragments.get(one), reference.pose());
       residualMm = Math.max(residualMm, residual.distanceMm());
@@ -56,8 +72,11 @@ public record FractureReadings(
         if (readings.isFacing()) {
           pairs.add(new Pair(one, other, readings));
         }
+        if (readings.overlapVoxels() > 0) {
+          overlaps.add(new Overlap(one, other, readings.overlapVoxels()));
+        }
       }
     }
-    return new FractureReadings(residualMm, residualDegrees, overlap, pairs);
+    return new FractureReadings(residualMm, residualDegrees, overlap, pairs, overlaps);
   }
 }

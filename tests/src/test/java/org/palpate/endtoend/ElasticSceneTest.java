@@ -191,6 +191,9 @@ class ElasticSceneTest {
     replay("cheek.csv", "hard", "--scene", left, "--lattice", 4, "--elastic", "tissue=young:1e5")
         .mustSucceed();
     assertTrue(lastForce("hard") > 1.5 * lastForce("after"));
+    String info = CommandRun.of("info", "--scene", left).mustSucceed().out();
+    String voxels = report("after").get(fill);
+    assertTrue(info.replace(",", "").contains("fill      tissue: " + voxels + " voxels"), info);
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.palpate.endtoend;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
@@ -53,6 +54,43 @@ class ReassemblyCommandTest {
     double degrees = Double.parseDouble(whole.get("/fracture/residual_deg"));
     assertTrue(mm < 0.4, "slices lie 2 mm apart: " + mm);
     assertTrue(degrees < 0.5, "degrees: " + degrees);
+  }
+
+  /** Writes a scene of two cubes, of which the second is displaced along x. */
+  private Path cubes(double displacedMm) throws IOException {
+    TestFiles.nrrd(
+        file("cubes.nrrd"),
+        24,
+        v -> {
+          boolean isIn = Math.min(v[1], v[2]) >= 4 && Math.max(v[1], v[2]) < 12;
+          return !isIn ? 0 : v[0] >= 2 && v[0] < 10 ? 1 : v[0] >= 12 && v[0] < 20 ? 2 : 0;
+        });
+    String text =
+        "{'bodies':[{'name':'low','volume':'cubes.nrrd','segment':'label:1'},"
+            + "{'name':'high','volume':'cubes.nrrd','segment':'label:2','mobility':'movable',"
+            + "'pose':{'translation_mm':["
+            + displacedMm
+            + ",0,0]}}]}";
+    return Files.writeString(file("cubes.json"), text.replace('\'', '"'));
+  }
+
+  @Test
+  void aFragmentThatFitsNowhereIsNamed() throws IOException {
+    Object[] fit = {"info", "--scene", cubes(500), "--fit", 0};
+    String out = CommandRun.of(fit).mustSucceed().out();
+    assertTrue(out.contains("proposal  high: none, because no pose that was tried"), out);
+  }
+
+  @Test
+  void bodiesThatOverlapAreNamedWithTheirVoxelsAndTheFile() throws IOException {
+    Path scene = cubes(-4);
+    String out = CommandRun.of("info", "--scene", scene).mustSucceed().out();
+    assertTrue(out.contains("reading   high and low overlap in "), out);
+    String refusal =
+        CommandRun.of("touch", "--scene", scene, "--headless", "--seconds", 1).mustRefuse();
+    assertTrue(
+        refusal.startsWith("palpate: the bodies high and low overlap: --scene " + scene + ": "),
+        refusal);
   }
 
   @Test

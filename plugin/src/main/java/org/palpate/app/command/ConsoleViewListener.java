@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
+import org.palpate.app.options.OutputPaths;
 import org.palpate.display.DisplayLoss;
 import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Vec3;
@@ -84,7 +85,7 @@ final class ConsoleViewListener implements SessionView.Listener {
     try (AtomicFile target = new AtomicFile(file)) {
       ImageIO.write(picture.toImage(), "png", target.stream());
       target.commit();
-      print("snapshot: " + file + " (" + Files.size(file) / 1024 + " KB)");
+      print(OutputPaths.written(file, "snapshot, " + Files.size(file) / 1024 + " KB"));
     } catch (IOException e) {
       print("snapshot " + file + " could not be written: " + e.getMessage());
     }

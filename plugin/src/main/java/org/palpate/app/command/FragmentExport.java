@@ -107,18 +107,18 @@ final class FragmentExport {
         written = elastic.withFills(written);
       }
       String format = VolumeWriter.write(new SegmentsAsLabels(written, bodies.world()), labels);
-      lines.add(format + ": " + labels);
+      lines.add(OutputPaths.written(labels, format));
       if (!writesRest(bodies)) {
         lines.addAll(bodies.cutOff());
       }
     }
     if (scene.isPresent()) {
       writeScene(bodies, elastic, scene.get());
-      lines.add("scene: " + scene.get());
+      lines.add(OutputPaths.written(scene.get(), "scene"));
     }
     if (transforms.isPresent()) {
       writeTransforms(bodies, transforms.get());
-      lines.add("transforms" + axes(bodies) + ": " + transforms.get());
+      lines.add(OutputPaths.written(transforms.get(), "transforms" + axes(bodies)));
     }
     return lines;
   }

@@ -98,12 +98,13 @@ public final class InfoCommand implements Callable<Integer> {
     printValues(found);
     List<Segment> segments = segments(source, found);
     source.placed().ifPresent(bodies -> printOwnGrids(bodies.rest()));
-    printSegments(segments);
+    printSegments("segment", segments);
+    printSegments("fill", source.fills());
     Optional<FractureReport> readings = source.placed().map(FractureReport::new);
     readings.ifPresent(this::printReadings);
     Optional<PlacedVolume> proposed =
         reassembly.propose(source.placed(), words -> line("proposal", words));
-    proposed.map(FractureReport::new).ifPresent(this::printReadings);
+    proposed.map(FractureReport::new).ifPresent(this::printProposed);
     if (source.requested().isEmpty()) {
       source.emptySegments(found.labels()).forEach(empty -> line("segment", empty + ": no voxel"));
     }
@@ -156,7 +157,7 @@ public final class InfoCommand implements Callable<Integer> {
   /** Makes and prints the fragments. Those of a fracture are displaced if poses are written. */
   private PlacedVolume broken(VolumeSource source, List<Segment> segments) {
     Fragments made = fragments.make(segments, source.header().grid(), source.name());
-    printSegments(made.segments().segments());
+    printSegments("segment", made.segments().segments());
     line("left out", NumberText.count((double) made.lostVoxels()) + " voxels");
     try {
       List<Pose> poses =
@@ -173,12 +174,22 @@ public final class InfoCommand implements Callable<Integer> {
     readings.lines().forEach(words -> line("reading", words));
   }
 
+  private void printProposed(FractureReport readings) {
+    printReadings(readings);
+    if (readings.overlaps()) {
+      line(
+          "note",
+          "touch refuses a scene in which sample points of one body lie inside another; then put"
+              + " one of the two back where it was, and place it by hand");
+    }
+  }
+
   private FragmentExport fragmentExport() {
     return savedPoses.export(export);
   }
 
   private void exportPlaced(PlacedVolume bodies) throws IOException {
-    fragmentExport().write(bodies).forEach(written -> line("written", written));
+    fragmentExport().write(bodies).forEach(out::println);
   }
 
   private static List<Segment> segments(VolumeSource source, ValueStatistics.Summary found)
@@ -232,10 +243,10 @@ public final class InfoCommand implements Callable<Integer> {
     line("values", found.low() <= found.high() ? range + odd : "no value is a number");
   }
 
-  private void printSegments(List<Segment> segments) {
+  private void printSegments(String what, List<Segment> segments) {
     for (Segment segment : segments) {
       line(
-          "segment",
+          what,
           String.format(
               Locale.ROOT,
               "%s: %,d voxels, %s",
@@ -282,7 +293,7 @@ public final class InfoCommand implements Callable<Integer> {
             : new SegmentsAsLabels(
                 new SegmentedVolume(header.grid(), segments), header.coordinateSystem());
     VolumeReader shaped = reshape.applyTo(written, volume.spacing(), !(isWhole && isIntensities));
-    line("written", VolumeWriter.write(shaped, export) + ": " + export);
+    out.println(OutputPaths.written(export, VolumeWriter.write(shaped, export)));
   }
 
   private void line(String what, String text) {

@@ -51,7 +51,7 @@ final class ReassemblyOption {
    * Returns the bodies where they are proposed to be.
    *
    * @param bodies where they are
-   * @param line receives a line for each fragment
+   * @param line receives a line for each fragment, also for one that nothing fits to
    * @return empty if no proposal is wanted
    */
   Optional<PlacedVolume> propose(Optional<PlacedVolume> bodies, Consumer<String> line) {
@@ -78,6 +78,12 @@ final class ReassemblyOption {
               joint.get().scoreMm2(),
               joint.get().nextScoreMm2()));
       joint = reassembly.add();
+    }
+    for (int left : reassembly.left()) {
+      line.accept(
+          segments.get(left).name()
+              + ": none, because no pose that was tried has more area for it than against it;"
+              + " it stays where it is");
     }
     return bodies.at(reassembly.poses());
   }

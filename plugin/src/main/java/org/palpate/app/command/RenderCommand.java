@@ -157,7 +157,7 @@ public final class RenderCommand implements Callable<Integer> {
 
   @Option(
       names = "--upside-down",
-      description = "Turns the picture by 180 degrees, for a file whose axes point the wrong way.")
+      description = "Turns the picture by half a turn, for a file whose axes point the wrong way.")
   private boolean upsideDown;
 
   @Option(
@@ -489,7 +489,7 @@ public final class RenderCommand implements Callable<Integer> {
       file.commit();
       spec.commandLine()
           .getOut()
-          .println("written: " + outFile + ": " + width + " x " + height + " pixels");
+          .println(OutputPaths.written(outFile, width + " x " + height + " pixels"));
     } catch (IOException e) {
       throw OutputPaths.failed(outFile, e);
     }

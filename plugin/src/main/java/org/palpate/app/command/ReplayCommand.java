@@ -415,7 +415,7 @@ public final class ReplayCommand implements Callable<Integer> {
     if (changesVoxels()) {
       report.put("carved", edited.carvedMm3()).put("added", edited.addedMm3());
     }
-    edited.write(left, failures);
+    edited.write(left, failures, spec.commandLine().getOut());
     report.write();
     assessment.ifPresent(files -> files.write(report.fields(), failures));
   }

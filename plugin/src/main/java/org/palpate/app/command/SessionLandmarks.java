@@ -7,9 +7,11 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 import java.util.function.Supplier;
+import org.palpate.app.options.OutputPaths;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.placing.BodyAnchor;
+import org.palpate.io.file.CountText;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.table.Landmark;
 import org.palpate.io.table.LandmarkFiles;
@@ -125,7 +127,7 @@ final class SessionLandmarks {
       if (axes != WorldAxes.UNKNOWN) {
         LandmarkFiles.writeFcsv(Path.of(stem + ".fcsv"), now.stream().map(this::inLps).toList());
       }
-      out.accept("landmarks: " + stem + ".csv (" + now.size() + ")");
+      out.accept(OutputPaths.written(Path.of(stem + ".csv"), CountText.of(now.size(), "landmark")));
     } catch (IOException e) {
       out.accept("the landmarks could not be written: " + stem + ": " + e.getMessage());
     }

@@ -128,13 +128,14 @@ final class SurfaceExport {
     } catch (IOException e) {
       throw OutputPaths.failed(file, e);
     }
-    return String.format(
-        Locale.ROOT,
-        "written: %s: %,d triangles of %s, in mm, %s",
-        file,
-        surfaces.stream().mapToInt(WeldedSurface::triangleCount).sum(),
-        groups.size() == 1 ? "segment " + groups.get(0).name() : groups.size() + " segments",
-        space.isEmpty() ? "axes not named by the volume" : "SPACE=" + space);
+    String content =
+        String.format(
+            Locale.ROOT,
+            "%,d triangles of %s, in mm, %s",
+            surfaces.stream().mapToInt(WeldedSurface::triangleCount).sum(),
+            groups.size() == 1 ? "segment " + groups.get(0).name() : groups.size() + " segments",
+            space.isEmpty() ? "axes not named by the volume" : "SPACE=" + space);
+    return OutputPaths.written(file, content);
   }
 
   /** Returns the name of the axes in a header; empty if the volume does not name them. */

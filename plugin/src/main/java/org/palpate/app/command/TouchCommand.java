@@ -272,7 +272,7 @@ public final class TouchCommand implements Callable<Integer> {
       if (source.placed().isPresent() || bodies.writesPoses()) {
         finish(source, scene, bodies, report);
       } else {
-        edited.write(failures);
+        edited.write(failures, out);
         report.write();
       }
       assessment.ifPresent(files -> files.write(report.fields(), failures));

@@ -99,6 +99,11 @@ public final class OutputPaths {
     return PalpateException.wrongUse(what, option + " " + target, remedy);
   }
 
+  /** Returns the line that says that a file or a folder was written. */
+  public static String written(Path target, String content) {
+    return "written: " + target + ": " + content;
+  }
+
   /** Returns the error for a target that passed the check but could not be written. */
   public static PalpateException failed(Path target, IOException cause) {
     return failed(target.toString(), cause);

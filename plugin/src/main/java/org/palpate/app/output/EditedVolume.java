@@ -1,5 +1,6 @@
 package org.palpate.app.output;
 
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -125,17 +126,23 @@ public final class EditedVolume {
   }
 
   /** Writes the segments as they are now if the user asked for it; a failure is reported. */
-  public void write(WriteFailures failures) {
-    write(volume, failures);
+  public void write(WriteFailures failures, PrintWriter out) {
+    write(volume, failures, out);
   }
 
   /**
    * Writes segments if the user asked for it; a failure is reported.
    *
    * @param left the segments as the session or the replay left them, on one grid
+   * @param out receives a line for the file
    */
-  public void write(SegmentedVolume left, WriteFailures failures) {
+  public void write(SegmentedVolume left, WriteFailures failures, PrintWriter out) {
     SegmentsAsLabels labels = new SegmentsAsLabels(left, coordinateSystem);
-    export.ifPresent(target -> failures.attempt(target, () -> VolumeWriter.write(labels, target)));
+    export.ifPresent(
+        target ->
+            failures.attempt(
+                target,
+                () ->
+                    out.println(OutputPaths.written(target, VolumeWriter.write(labels, target)))));
   }
 }

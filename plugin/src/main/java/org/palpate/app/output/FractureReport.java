@@ -7,6 +7,7 @@ import java.util.Map;
 import org.palpate.fracture.FractureReadings;
 import org.palpate.fracture.PairReadings;
 import org.palpate.host.placing.ReadingText;
+import org.palpate.io.file.CountText;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.volume.Segment;
@@ -23,7 +24,10 @@ public final class FractureReport {
     readings = FractureReadings.read(PosedBits.of(bodies.rest(), bodies.poses()));
   }
 
-  /** Returns a line for each pair that faces each other, and one for the whole. */
+  /**
+   * Returns a line for each pair that faces each other, one for each that overlaps, and one for the
+   * whole.
+   */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     for (FractureReadings.Pair pair : readings.pairs()) {
@@ -34,15 +38,29 @@ public final class FractureReport {
               + ": "
               + ReadingText.of(pair.readings()));
     }
+    for (FractureReadings.Overlap each : readings.overlaps()) {
+      lines.add(
+          names.get(each.one())
+              + " and "
+              + names.get(each.other())
+              + " overlap in "
+              + CountText.of(each.voxels(), "pair")
+              + " of voxels");
+    }
     lines.add(
         "farthest from rest, relative to the largest: "
             + NumberText.thousandths(readings.residualMm())
             + " mm, "
             + NumberText.thousandths(readings.residualDegrees())
             + " degrees; "
-            + NumberText.count((double) readings.overlapVoxels())
-            + " overlapping pairs of voxels");
+            + CountText.of(readings.overlapVoxels(), "overlapping pair")
+            + " of voxels");
     return lines;
+  }
+
+  /** Whether any two fragments overlap. */
+  public boolean overlaps() {
+    return !readings.overlaps().isEmpty();
   }
 
   /** Returns the field {@code fracture} of a report. */

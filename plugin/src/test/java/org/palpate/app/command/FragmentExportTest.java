@@ -68,7 +68,8 @@ class FragmentExportTest {
     FragmentExport export = new FragmentExport(file, Optional.empty(), Optional.empty());
     assertFalse(export.writesPoses());
     assertEquals(List.of(), export.checked(List.of(), false));
-    assertEquals(List.of("NRRD, gzip: " + file), export.write(bodies(CoordinateSystem.LPS)));
+    assertEquals(
+        List.of("written: " + file + ": NRRD, gzip"), export.write(bodies(CoordinateSystem.LPS)));
     assertEquals(1, labels(file).value(1, 2, 2));
     assertEquals(0, labels(file).value(4, 2, 2));
     assertEquals(2, labels(file).value(9, 2, 2));
@@ -102,12 +103,13 @@ class FragmentExportTest {
     Path poses = folder.resolve("poses");
     FragmentExport export = new FragmentExport(null, Optional.empty(), Optional.of(poses));
     assertEquals(List.of(), export.checked(List.of(), false));
-    assertEquals(List.of("transforms: " + poses), export.write(bodies(CoordinateSystem.RAS)));
+    assertEquals(
+        List.of("written: " + poses + ": transforms"), export.write(bodies(CoordinateSystem.RAS)));
     String part = Files.readString(poses.resolve("part.tfm"));
     assertTrue(part.contains("Parameters: 1.0 0.0 0.0 0.0 1.0 0.0 0.0 0.0 1.0 -5.0 "), part);
     assertTrue(Files.exists(poses.resolve("base.tfm")));
     assertEquals(
-        List.of("transforms; the axes are not named and are taken as LPS: " + poses),
+        List.of("written: " + poses + ": transforms; the axes are not named and are taken as LPS"),
         export.write(bodies(CoordinateSystem.UNKNOWN)));
   }
 

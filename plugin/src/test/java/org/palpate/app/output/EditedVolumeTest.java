@@ -37,6 +37,7 @@ class EditedVolumeTest {
 
   private final SplittableRandom random = new SplittableRandom(SEED);
   private final StringWriter said = new StringWriter();
+  private final StringWriter lines = new StringWriter();
   private final WriteFailures failures = new WriteFailures(new PrintWriter(said));
 
   private BitCube randomBits() {
@@ -87,7 +88,7 @@ class EditedVolumeTest {
   void withoutACopyNothingIsMeasured() {
     EditedVolume edited = new EditedVolume(volume(), CoordinateSystem.LPS, Optional.empty(), false);
     assertEquals(Map.of(), edited.carvedMm3());
-    edited.write(failures);
+    edited.write(failures, new PrintWriter(lines));
     assertEquals(0, failures.exitCode());
   }
 
@@ -115,8 +116,9 @@ class EditedVolumeTest {
     BitCube bits = volume.segments().get(1).bits();
     bits.set(3, 4, 5);
     bits.clear(6, 7, 8);
-    edited.write(failures);
+    edited.write(failures, new PrintWriter(lines));
     assertEquals("", said.toString());
+    assertEquals("written: " + target + ": NRRD, gzip", lines.toString().strip());
     VolumeReader reader = VolumeFiles.open(target, ReadOptions.defaults());
     assertEquals(volume.grid().spacingMm().toString(), "" + reader.header().grid().spacingMm());
     ScalarVolume labels = GreyVolumes.read(reader);
@@ -133,7 +135,9 @@ class EditedVolumeTest {
   @Test
   void anExportThatFailsIsPrinted() {
     Path target = folder.resolve("none").resolve("e.nrrd");
-    new EditedVolume(volume(), CoordinateSystem.LPS, Optional.of(target), false).write(failures);
+    new EditedVolume(volume(), CoordinateSystem.LPS, Optional.of(target), false)
+        .write(failures, new PrintWriter(lines));
+    assertEquals("", lines.toString());
     assertEquals(1, failures.exitCode());
     assertTrue(said.toString().contains(target.toString()), said.toString());
   }
