@@ -17,7 +17,7 @@ public final class ElasticBodyVariants {
    */
   public static ElasticBody body(
       ControlLattice lattice, GridMetric metric, double contactRadiusMm, double residual) {
-    return new ElasticBody(lattice, metric, new UpdateSettings(contactRadiusMm, residual));
+    return new ElasticBody(lattice, metric, new FieldUpdater.Settings(contactRadiusMm, residual));
   }
 
   /** Returns the layout of the body's lattice. */

@@ -44,10 +44,15 @@ final class CellBounds {
     earlierAnswers = new float[nodes];
   }
 
-  /** Reads a field, and the field before if both are blended: then the bounds hold for both. */
-  void read(DeformationField field) {
+  /**
+   * Reads the values of a field.
+   *
+   * @param blended whether the field is blended with the field before: then the bounds hold for
+   *     both
+   */
+  void read(DeformationField.NodeValues field, boolean blended) {
     read(field.values, deviations, answers);
-    if (field.slideIntervals > 0) {
+    if (blended) {
       read(field.earlier, earlierDeviations, earlierAnswers);
       raise(earlierDeviations, deviations);
       raise(earlierAnswers, answers);

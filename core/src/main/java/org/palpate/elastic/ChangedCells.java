@@ -15,7 +15,7 @@ final class ChangedCells {
 
   ChangedCells(ControlLattice lattice) {
     this.lattice = lattice;
-    marks = new AtomicLongArray((lattice.cells().count() + Long.SIZE - 1) / Long.SIZE);
+    marks = new AtomicLongArray((lattice.editedCells() + Long.SIZE - 1) / Long.SIZE);
   }
 
   /** Marks the cells of a box of voxels, which may be empty. Haptic thread, after the writes. */
@@ -27,7 +27,7 @@ final class ChangedCells {
     for (int k = voxels.lowZ; k <= voxels.highZ; k = next(layout, 2, k, voxels.highZ)) {
       for (int j = voxels.lowY; j <= voxels.highY; j = next(layout, 1, j, voxels.highY)) {
         for (int i = voxels.lowX; i <= voxels.highX; i = next(layout, 0, i, voxels.highX)) {
-          mark(lattice.listedCell(i, j, k));
+          mark(lattice.editedCell(i, j, k));
         }
       }
     }
@@ -39,12 +39,12 @@ final class ChangedCells {
     return voxel == high ? high + 1 : Math.min(high, voxel - into + layout.voxelsPerCell(axis));
   }
 
-  private void mark(int listed) {
-    if (listed < 0) {
+  private void mark(int cell) {
+    if (cell < 0) {
       return;
     }
     // A mark that is set already is set again, so that the reader sees the voxels of this edit too.
-    marks.accumulateAndGet(listed / Long.SIZE, 1L << listed, (before, bit) -> before | bit);
+    marks.accumulateAndGet(cell / Long.SIZE, 1L << cell, (before, bit) -> before | bit);
   }
 
   /** Counts the voxels of the marked cells anew. Thread of the updates. */
@@ -52,10 +52,11 @@ final class ChangedCells {
     for (int word = 0; word < marks.length(); word++) {
       long rest = marks.get(word) == 0 ? 0 : marks.getAndSet(word, 0);
       for (; rest != 0; rest &= rest - 1) {
-        int listed = word * Long.SIZE + Long.numberOfTrailingZeros(rest);
-        lattice.refill(listed);
-        if (listener != UpdateListener.NONE) {
-          listener.refilled(listed, lattice.stiffnessOf(listed));
+        int cell = word * Long.SIZE + Long.numberOfTrailingZeros(rest);
+        if (listener == UpdateListener.NONE) {
+          lattice.refill(cell);
+        } else {
+          lattice.refill(cell, listener::refilled);
         }
       }
     }

@@ -1,8 +1,8 @@
 package org.palpate.elastic;
 
 import java.util.Arrays;
-import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.elastic.lattice.LatticeLayout;
+import org.palpate.elastic.lattice.LatticeMatter;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -15,7 +15,7 @@ final class ContactPatch {
   /** The reach of the weights over the radius. */
   private static final double REACH = 1.5;
 
-  private final ControlLattice lattice;
+  private final LatticeMatter matter;
   private final LatticeLayout layout;
   private final double reachMm;
   private final int[] nodes;
@@ -31,9 +31,9 @@ final class ContactPatch {
    *
    * @param radiusMm at least two thirds of the longest edge of a cell, so that nodes are in reach
    */
-  ContactPatch(ControlLattice lattice, double radiusMm) {
-    this.lattice = lattice;
-    layout = lattice.layout();
+  ContactPatch(LatticeMatter matter, double radiusMm) {
+    this.matter = matter;
+    layout = matter.cells().layout();
     reachMm = REACH * radiusMm;
     int most = 1;
     for (int axis = 0; axis < 3; axis++) {
@@ -78,7 +78,7 @@ final class ContactPatch {
     double part = Math.sqrt(dx * dx + dy * dy + dz * dz) / reachMm;
     return part >= 1
         ? 0
-        : (1 - part) * (1 - part) * (1 + 2 * part) * lattice.solidModulusAround(x, y, z);
+        : (1 - part) * (1 - part) * (1 + 2 * part) * matter.solidModulusAround(x, y, z);
   }
 
   /** Makes the weights sum to 1, and finds the direction towards the solid matter. */
@@ -110,7 +110,7 @@ final class ContactPatch {
   /** Adds a force along an axis to a vector of forces, but not to fixed nodes. */
   void addForce(int axis, double newton, float[] dest) {
     for (int n = 0; n < count; n++) {
-      if (!lattice.cells().isFixed(nodes[n])) {
+      if (!matter.cells().isFixed(nodes[n])) {
         dest[axis * layout.nodeCount() + nodes[n]] += weights[n] * (float) newton;
       }
     }

@@ -6,8 +6,9 @@ import org.palpate.geometry.Vec3;
 
 /**
  * The map from material coordinates to present ones, both grid coordinates: affine on the Kuhn
- * tetrahedra of each cell, the identity outside the lattice. The force on the material may change
- * from frame to frame, within the {@link ForceRoom} of the field.
+ * tetrahedra of each cell, the identity outside the lattice. Where the field has a window, its
+ * cells take the place of those of the lattice. The force on the material may change from frame to
+ * frame, within the {@link ForceRoom} of the field.
  *
  * <p>One thread; allocates nothing after construction.
  */
@@ -17,8 +18,14 @@ final class DeformationMap {
   /** A point this far outside a tetrahedron still counts as inside; in parts of its height. */
   private static final double INSIDE = -1e-12;
 
-  private final LatticeLayout layout;
-  private final int[] cells;
+  private final Region whole;
+
+  /** The window; null if the lattice never has one. */
+  private final Region window;
+
+  /** The one of both with the tetrahedron in use. */
+  private Region region;
+
   private DeformationField field;
   private final double[] change = new double[3];
 
@@ -43,20 +50,27 @@ final class DeformationMap {
   private final double[] at = new double[3];
   private final int[] nodes = new int[4];
   private final double[] weights = new double[4];
+  private final int[] crossing = new int[3];
   private final Vec3 beside = new Vec3();
   private final Vec3 high = new Vec3();
   private final Vec3 low = new Vec3();
   private final double[] gradient = new double[9];
 
-  DeformationMap(LatticeLayout layout, DeformationField field) {
-    this.layout = layout;
-    cells = new int[] {layout.cells(0), layout.cells(1), layout.cells(2)};
-    this.field = field;
+  DeformationMap(DeformationField.Layout layout, DeformationField field) {
+    whole = new Region(layout.whole());
+    window = layout.window().map(nodes -> new Region(nodes.layout())).orElse(null);
+    use(field);
   }
 
   /** Uses another field, with the force for which it was solved. */
   void use(DeformationField next) {
     field = next;
+    whole.nodes = next.whole;
+    region = whole;
+    if (next.hasWindow()) {
+      window.nodes = next.window.values;
+      window.moveTo(whole, next.window.firstCell);
+    }
     part = 1;
     Arrays.fill(change, 0);
   }
@@ -68,7 +82,7 @@ final class DeformationMap {
    * @param material the contact
    */
   void slideTo(Vec3 material) {
-    part = field.part(material, layout);
+    part = field.part(material, whole.layout);
   }
 
   /** Returns the field in use. */
@@ -97,14 +111,22 @@ final class DeformationMap {
         field.baseNewton[2] + change[2]);
   }
 
-  /** Returns the displacement of a node along an axis, cells. */
+  /** Returns the displacement of a node of the lattice along an axis, cells. */
   double displacement(int node, int axis) {
-    return field.displacement(node, axis, change, part);
+    return field.whole.displacement(node, axis, change, part);
+  }
+
+  /**
+   * Returns the displacement of a node of the window along an axis, in cells of the window. The
+   * field must have one.
+   */
+  double windowDisplacement(int node, int axis) {
+    return field.window.values.displacement(node, axis, change, part);
   }
 
   /** Returns the present position of a node along an axis, in cells from the lattice's origin. */
   double nodePosition(int node, int axis) {
-    return layout.nodeIndex(axis, node) + displacement(node, axis);
+    return whole.layout.nodeIndex(axis, node) + displacement(node, axis);
   }
 
   /** Returns the present position of a material point; {@code dest} may be {@code material}. */
@@ -117,32 +139,39 @@ final class DeformationMap {
     double y = displacement(1);
     double z = displacement(2);
     return dest.set(
-        material.x + x * layout.voxelsPerCell(0),
-        material.y + y * layout.voxelsPerCell(1),
-        material.z + z * layout.voxelsPerCell(2));
+        material.x + x * region.voxels[0],
+        material.y + y * region.voxels[1],
+        material.z + z * region.voxels[2]);
   }
 
   private double displacement(int axis) {
     double sum = 0;
     for (int n = 0; n < 4; n++) {
-      sum += weights[n] * displacement(nodes[n], axis);
+      sum += weights[n] * region.nodes.displacement(nodes[n], axis, change, part);
     }
     return sum;
   }
 
   /** Selects the tetrahedron of a material point. Returns false outside the lattice. */
   private boolean select(Vec3 material) {
-    for (int axis = 0; axis < 3; axis++) {
-      at[axis] = toCells(axis, material.get(axis));
-    }
-    return KuhnTetrahedra.find(at, cells, cell, order, along);
+    return (field.hasWindow() && select(window, material)) || select(whole, material);
   }
 
-  private double toCells(int axis, double grid) {
-    return (grid - layout.originVoxel(axis)) / layout.voxelsPerCell(axis);
+  private boolean select(Region next, Vec3 material) {
+    region = next;
+    locate(material);
+    return KuhnTetrahedra.find(at, region.cells, cell, order, along);
+  }
+
+  /** Takes a position in cells of the region in use. */
+  private void locate(Vec3 position) {
+    for (int axis = 0; axis < 3; axis++) {
+      at[axis] = region.toCells(axis, position.get(axis));
+    }
   }
 
   private void findNodes() {
+    LatticeLayout layout = region.layout;
     nodes[0] = layout.node(cell[0], cell[1], cell[2]);
     nodes[1] = nodes[0] + layout.cornerOffset(1 << order[0]);
     nodes[2] = nodes[0] + layout.cornerOffset(1 << order[0] | 1 << order[1]);
@@ -165,14 +194,16 @@ final class DeformationMap {
     if (!isInside(present) || !(select(near) || select(present))) {
       return dest.set(present);
     }
-    for (int axis = 0; axis < 3; axis++) {
-      at[axis] = toCells(axis, present.get(axis));
-    }
+    locate(present);
     for (int step = 0; step < MOST_STEPS; step++) {
       load();
-      locate();
+      findAlong();
+      Region before = region;
       if (!stepBeyond()) {
         break;
+      }
+      if (region != before) {
+        locate(present);
       }
     }
     return material(dest);
@@ -180,8 +211,8 @@ final class DeformationMap {
 
   private boolean isInside(Vec3 present) {
     for (int axis = 0; axis < 3; axis++) {
-      double position = toCells(axis, present.get(axis));
-      if (!(position > 0 && position < layout.cells(axis))) {
+      double position = whole.toCells(axis, present.get(axis));
+      if (!(position > 0 && position < whole.cells[axis])) {
         return false;
       }
     }
@@ -193,7 +224,7 @@ final class DeformationMap {
     findNodes();
     for (int n = 0; n < 4; n++) {
       for (int axis = 0; axis < 3; axis++) {
-        corners[3 * n + axis] = nodePosition(nodes[n], axis);
+        corners[3 * n + axis] = region.nodePosition(nodes[n], axis, change, part);
       }
     }
     for (int n = 0; n < 3; n++) {
@@ -204,7 +235,7 @@ final class DeformationMap {
   }
 
   /** Finds where along the edges the position lies. */
-  private void locate() {
+  private void findAlong() {
     double[] e = edges;
     double dx = at[0] - corners[0];
     double dy = at[1] - corners[1];
@@ -253,8 +284,11 @@ final class DeformationMap {
   /** Goes to the next cell along an axis, if there is one, with a new order of axes. */
   private boolean shift(int axis, int by, int first, int second, int third) {
     int next = cell[axis] + by;
-    if (next < 0 || next >= layout.cells(axis)) {
-      return false;
+    if (next < 0 || next >= region.cells[axis]) {
+      return region == window && cross(whole, axis, by);
+    }
+    if (region == whole && field.hasWindow() && isCovered(axis, by)) {
+      return cross(window, axis, by);
     }
     cell[axis] = next;
     order[0] = first;
@@ -263,33 +297,69 @@ final class DeformationMap {
     return true;
   }
 
+  /** Whether the cell beyond a face of this one lies in the window. */
+  private boolean isCovered(int axis, int by) {
+    cell[axis] += by;
+    boolean covered = field.window.covers(cell[0], cell[1], cell[2]);
+    cell[axis] -= by;
+    return covered;
+  }
+
+  /**
+   * Goes through the side of the window to the tetrahedron beyond, there where the position along
+   * the edges is nearest to.
+   *
+   * @return false if there is no cell beyond
+   */
+  private boolean cross(Region next, int axis, int by) {
+    material(beside);
+    double side = region.toGrid(axis, cell[axis] + Math.max(0, by));
+    for (int n = 0; n < 3; n++) {
+      int first = n == axis && by < 0 ? 1 : 0;
+      double inCells = next.toCells(n, n == axis ? side : beside.get(n));
+      double wholes = n == axis ? Math.rint(inCells) - first : Math.floor(inCells);
+      double within = Math.max(0, Math.min(next.cells[n] - 1.0, wholes));
+      if (n == axis && within != wholes) {
+        return false;
+      }
+      crossing[n] = (int) within;
+      at[n] = inCells - within;
+    }
+    System.arraycopy(crossing, 0, cell, 0, 3);
+    region = next;
+    KuhnTetrahedra.sort(at[0], at[1], at[2], order, along);
+    return true;
+  }
+
   private Vec3 material(Vec3 dest) {
     for (int n = 0; n < 3; n++) {
       int axis = order[n];
       double cells = cell[axis] + Math.max(0, Math.min(1, along[n]));
-      dest.set(axis, layout.originVoxel(axis) + cells * layout.voxelsPerCell(axis));
+      dest.set(axis, region.toGrid(axis, cells));
     }
     return dest;
   }
 
   /**
    * Writes the product of the transposed gradient of the map and a vector, divided by a bound of
-   * the largest squared stretch. The gradient comes from differences over a cell, so that it is
-   * continuous. The gradients of neighbouring tetrahedra would differ by a jump.
+   * the largest squared stretch. The gradient comes from differences over a cell at the point, so
+   * that it is continuous. The gradients of neighbouring tetrahedra would differ by a jump.
    *
    * @param vectorMm along the axes of the grid, mm; {@code dest} may be the same
    */
   void pullBack(Vec3 material, Vec3 vectorMm, Vec3 dest) {
+    select(material);
+    Region around = region;
     for (int axis = 0; axis < 3; axis++) {
-      double half = 0.5 * layout.voxelsPerCell(axis);
+      double half = 0.5 * around.voxels[axis];
       beside.set(material);
       beside.set(axis, material.get(axis) + half);
       forward(beside, high);
       beside.set(axis, material.get(axis) - half);
       forward(beside, low);
       for (int row = 0; row < 3; row++) {
-        double cells = (high.get(row) - low.get(row)) / layout.voxelsPerCell(row);
-        gradient[3 * axis + row] = cells * layout.edgeMm(row) / layout.edgeMm(axis);
+        double cells = (high.get(row) - low.get(row)) / around.voxels[row];
+        gradient[3 * axis + row] = cells * around.layout.edgeMm(row) / around.layout.edgeMm(axis);
       }
     }
     double factor = 1 / stretchBound();
@@ -333,11 +403,64 @@ final class DeformationMap {
       weigh();
       for (int n = 0; n < 4; n++) {
         int from = DeformationField.STRIDE * nodes[n];
-        dest.add(part * weights[n], field.values, from, layout);
+        dest.add(part * weights[n], region.nodes.values, from, region.layout);
         if (part < 1) {
-          dest.add((1 - part) * weights[n], field.earlier, from, layout);
+          dest.add((1 - part) * weights[n], region.nodes.earlier, from, region.layout);
         }
       }
+    }
+  }
+
+  /**
+   * A lattice or a window in a {@link DeformationMap}, and its place in the grid. Haptic thread, as
+   * the map.
+   */
+  private static final class Region {
+    /** The numbering of nodes and the edges of cells; its place may be another one. */
+    final LatticeLayout layout;
+
+    /** The number of cells along each axis. */
+    final int[] cells = new int[3];
+
+    /** The voxels of a cell along each axis. */
+    final double[] voxels = new double[3];
+
+    /** The values of the nodes of the field in use. */
+    DeformationField.NodeValues nodes;
+
+    /** The grid coordinates of the first node. */
+    private final double[] origin = new double[3];
+
+    /** Makes a region in the present place of its layout. */
+    Region(LatticeLayout layout) {
+      this.layout = layout;
+      for (int axis = 0; axis < 3; axis++) {
+        cells[axis] = layout.cells(axis);
+        voxels[axis] = layout.voxelsPerCell(axis);
+        origin[axis] = layout.originVoxel(axis);
+      }
+    }
+
+    /** Moves the region, so that it begins at a cell of another one. */
+    void moveTo(Region whole, int[] firstCell) {
+      for (int axis = 0; axis < 3; axis++) {
+        origin[axis] = whole.toGrid(axis, firstCell[axis]);
+      }
+    }
+
+    /** Returns the present position of a node along an axis, in cells from the first one. */
+    double nodePosition(int node, int axis, double[] changeNewton, double part) {
+      return layout.nodeIndex(axis, node) + nodes.displacement(node, axis, changeNewton, part);
+    }
+
+    /** Returns a grid coordinate in cells from the first node. */
+    double toCells(int axis, double grid) {
+      return (grid - origin[axis]) / voxels[axis];
+    }
+
+    /** Returns the grid coordinate of a distance in cells from the first node. */
+    double toGrid(int axis, double inCells) {
+      return origin[axis] + inCells * voxels[axis];
     }
   }
 }

@@ -12,9 +12,10 @@ import org.palpate.sync.Accumulator;
  */
 public final class ElasticBody {
   private final ControlLattice lattice;
+  private final DeformationField.Layout layout;
   private final ElasticContact contact;
   private final FieldUpdater updater;
-  private final LoadExchange loads = new LoadExchange();
+  private final ElasticLoad.Exchange loads = new ElasticLoad.Exchange();
 
   /**
    * Creates a body at rest.
@@ -23,16 +24,17 @@ public final class ElasticBody {
    * @param metric the spacing of the grid
    */
   public ElasticBody(ControlLattice lattice, GridMetric metric) {
-    this(lattice, metric, UpdateSettings.usual(lattice.layout()));
+    this(lattice, metric, FieldUpdater.Settings.usual(lattice));
   }
 
   /** Creates a body at rest with other settings; otherwise as the other constructor. */
-  ElasticBody(ControlLattice lattice, GridMetric metric, UpdateSettings settings) {
+  ElasticBody(ControlLattice lattice, GridMetric metric, FieldUpdater.Settings settings) {
     this.lattice = lattice;
-    FieldExchange fields = new FieldExchange(lattice.layout());
+    layout = DeformationField.Layout.of(lattice);
+    FieldExchange fields = new FieldExchange(layout);
     ChangedCells changed = new ChangedCells(lattice);
-    contact = new ElasticContact(lattice, metric, fields, loads, changed);
-    updater = new FieldUpdater(lattice, settings, fields, changed);
+    contact = new ElasticContact(layout, metric, fields, loads, changed);
+    updater = new FieldUpdater(lattice, layout, settings, fields, changed);
   }
 
   /** {@return the contact, which belongs to the haptic thread} */
@@ -51,9 +53,10 @@ public final class ElasticBody {
     updater.listen(listener);
   }
 
-  /** {@return the number of finite elements} */
+  /** {@return the number of finite elements, with those of a window around the contact} */
   public int hexahedra() {
-    return lattice.cells().count();
+    int inWindow = lattice.window().map(window -> window.matter().cells().count()).orElse(0);
+    return lattice.cells().count() + inWindow;
   }
 
   /** {@return the number of voxels that give way but that a tool cannot touch} */
@@ -81,7 +84,7 @@ public final class ElasticBody {
    * @param accumulator that of the reader, before its first publication
    */
   public PublishedShape publish(Accumulator accumulator) {
-    PublishedShape shape = new PublishedShape(contact, lattice.layout(), accumulator);
+    PublishedShape shape = new PublishedShape(contact, layout, accumulator);
     updater.publishTo(shape);
     return shape;
   }
@@ -99,7 +102,7 @@ public final class ElasticBody {
     return updater;
   }
 
-  LoadExchange loads() {
+  ElasticLoad.Exchange loads() {
     return loads;
   }
 

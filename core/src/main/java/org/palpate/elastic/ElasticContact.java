@@ -1,7 +1,6 @@
 package org.palpate.elastic;
 
 import org.palpate.collision.CollisionScene;
-import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
@@ -32,7 +31,7 @@ public final class ElasticContact {
 
   private final GridMetric metric;
   private final FieldExchange fields;
-  private final LoadExchange loads;
+  private final ElasticLoad.Exchange loads;
   private final ChangedCells changed;
   private final DeformationMap map;
 
@@ -77,17 +76,17 @@ public final class ElasticContact {
 
   /** Creates a contact without a load. */
   ElasticContact(
-      ControlLattice lattice,
+      DeformationField.Layout layout,
       GridMetric metric,
       FieldExchange fields,
-      LoadExchange loads,
+      ElasticLoad.Exchange loads,
       ChangedCells changed) {
     this.metric = metric;
     this.fields = fields;
     this.loads = loads;
     this.changed = changed;
-    map = new DeformationMap(lattice.layout(), fields.front());
-    forecast = new SlideForecast(lattice.layout());
+    map = new DeformationMap(layout, fields.front());
+    forecast = new SlideForecast(layout.finest());
   }
 
   /** Returns the map in use; for checks of the field after a frame. */

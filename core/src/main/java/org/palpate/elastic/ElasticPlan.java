@@ -22,9 +22,14 @@ import org.palpate.volume.SegmentedVolume;
  * @param soft the segments that deform
  * @param still the voxels of the others
  * @param edgeMm the edge of a cell, mm; rounded to whole voxels
+ * @param contactRadiusMm the radius of a contact, mm; if empty, two edges
  */
 public record ElasticPlan(
-    GridMetric metric, List<ElasticSegment> soft, List<BitCube> still, double edgeMm)
+    GridMetric metric,
+    List<ElasticSegment> soft,
+    List<BitCube> still,
+    double edgeMm,
+    OptionalDouble contactRadiusMm)
     implements Supplier<ElasticBody> {
   /** The number of cells over the elastic segments if the user chooses no edge. */
   private static final double USUAL_CELLS = 3000;
@@ -62,7 +67,16 @@ public record ElasticPlan(
     // Fills lie inside the segments, so they add no cells.
     double edge = edgeMm.isPresent() ? edgeMm.getAsDouble() : usualEdgeMm(metric, soft);
     soft.addAll(fills);
-    return new ElasticPlan(metric, soft, still, edge);
+    return new ElasticPlan(metric, soft, still, edge, OptionalDouble.empty());
+  }
+
+  /**
+   * {@return the plan with another contact}
+   *
+   * @param radiusMm the radius over which the force is spread, mm; if empty, two edges
+   */
+  public ElasticPlan withContact(OptionalDouble radiusMm) {
+    return new ElasticPlan(metric, soft, still, edgeMm, radiusMm);
   }
 
   /** Returns the edge with which the usual number of cells covers the boxes of the segments. */
@@ -86,6 +100,7 @@ public record ElasticPlan(
    */
   @Override
   public ElasticBody get() {
-    return new ElasticBody(new ControlLattice(metric, soft, still, edgeMm), metric);
+    return new ElasticBody(
+        new ControlLattice(metric, soft, still, edgeMm, contactRadiusMm), metric);
   }
 }

@@ -1,7 +1,6 @@
 package org.palpate.elastic;
 
 import java.util.concurrent.atomic.AtomicInteger;
-import org.palpate.elastic.lattice.LatticeLayout;
 
 /**
  * Hands fields from one writer to one reader by three buffers and one atomic exchange. Neither
@@ -17,7 +16,7 @@ final class FieldExchange {
   private int front = 2;
 
   /** Makes three fields without displacement. */
-  FieldExchange(LatticeLayout layout) {
+  FieldExchange(DeformationField.Layout layout) {
     for (int n = 0; n < fields.length; n++) {
       fields[n] = new DeformationField(layout);
     }

@@ -1,29 +1,20 @@
 package org.palpate.elastic;
 
 import java.util.Arrays;
-import org.palpate.elastic.lattice.ConjugateGradients;
 import org.palpate.elastic.lattice.ControlLattice;
-import org.palpate.elastic.lattice.StiffnessOperator;
+import org.palpate.elastic.lattice.LatticeLayout;
 import org.palpate.elastic.lattice.Vectors;
 import org.palpate.geometry.Vec3;
 
 /**
  * Computes a new field for a load: the displacement, the answers to a unit force along each axis at
- * the same place, and the proof. It starts from the last displacement and the last answers.
+ * the same place, and the proof. It starts from the last displacement and the last answers. If the
+ * lattice has a window around the contact, that is solved after the lattice.
  *
  * <p>A field is handed over only if {@link RoomProof} proves it. One thread, not the haptic one;
  * allocates nothing after construction.
  */
 final class FieldUpdater {
-  /** The residual at which an answer is good enough, over its unit load. */
-  private static final double ANSWER_RESIDUAL = 2e-2;
-
-  /** A smaller load counts as this large, N. */
-  private static final double LEAST_LOAD_NEWTON = 1e-4;
-
-  private static final int DISPLACEMENT_STEPS = 60;
-  private static final int ANSWER_STEPS = 20;
-
   /** A smaller force has no direction of its own, N. */
   private static final double LEAST_DIRECTED_NEWTON = 0.02;
 
@@ -45,27 +36,19 @@ final class FieldUpdater {
   private static final double REST_MM = 1e-3;
 
   private final ControlLattice lattice;
-  private final UpdateSettings settings;
+  private final Settings settings;
   private final FieldExchange exchange;
   private final ChangedCells changed;
-  private final StiffnessOperator stiffness;
-  private final ConjugateGradients solver;
-  private final ContactPatch patch;
-  private final FoldGuard guard;
-  private final CrushStiffening stiffening;
+  private final LatticeLayout finest;
+  private final LatticeSolution whole;
+
+  /** The solution in the window; null if the lattice has none. */
+  private final WindowSolution window;
+
   private final RoomProof proof;
-  private final float[] displacement;
   private final float[] proved;
-  private final float[][] answers = new float[3][];
-
-  /** The changes by the last update: of the three answers, then of the displacement. */
-  private final float[][] changes = new float[4][];
-
-  private final float[] before;
-  private final float[] load;
-  private final float[] residual;
   private final double[] force = new double[3];
-  private final double[] lastForce = new double[3];
+  private final double[] forceChange = new double[3];
 
   /** The last field that was handed over. */
   private final DeformationField last;
@@ -84,32 +67,32 @@ final class FieldUpdater {
 
   FieldUpdater(
       ControlLattice lattice,
-      UpdateSettings settings,
+      DeformationField.Layout layout,
+      Settings settings,
       FieldExchange exchange,
       ChangedCells changed) {
     this.lattice = lattice;
     this.settings = settings;
     this.exchange = exchange;
     this.changed = changed;
-    stiffness = lattice.stiffness();
-    solver = lattice.newSolver();
-    patch = new ContactPatch(lattice, settings.contactRadiusMm());
-    guard = new FoldGuard(lattice.cells());
-    stiffening = new CrushStiffening(lattice);
-    proof = new RoomProof(lattice.cells());
-    last = new DeformationField(lattice.layout());
-    int size = 3 * lattice.layout().nodeCount();
-    displacement = new float[size];
-    proved = new float[size];
-    load = new float[size];
-    residual = new float[size];
-    before = new float[size];
-    for (int axis = 0; axis < 3; axis++) {
-      answers[axis] = new float[size];
-    }
-    for (int n = 0; n < changes.length; n++) {
-      changes[n] = new float[size];
-    }
+    finest = layout.finest();
+    double radiusMm = settings.contactRadiusMm();
+    window =
+        layout
+            .window()
+            .map(
+                nodes ->
+                    new WindowSolution(
+                        lattice.layout(), lattice.window().orElseThrow(), nodes, radiusMm))
+            .orElse(null);
+    whole =
+        new LatticeSolution(
+            lattice.matter(),
+            lattice.newSolver(),
+            window == null ? radiusMm : Math.max(radiusMm, lattice.layout().longestEdgeMm()));
+    proof = new RoomProof(lattice);
+    last = new DeformationField(layout);
+    proved = new float[whole.displacement().length];
   }
 
   /** Offers each field to a further reader from now on. */
@@ -143,8 +126,8 @@ final class FieldUpdater {
    * @return whether there was anything to compute
    */
   boolean compute(ElasticLoad next) {
-    lattice.holdFreeParts();
-    patch.place(next.point);
+    lattice.matter().holdFreeParts();
+    whole.patch().place(next.point);
     place.set(next.point);
     boolean atRest = isAtRest(next);
     if (atRest) {
@@ -158,24 +141,32 @@ final class FieldUpdater {
 
   /** Whether nothing is pressed or near, and the last field has come back to rest. */
   private boolean isAtRest(ElasticLoad next) {
-    return patch.isEmpty()
+    return whole.patch().isEmpty()
         && next.forceNewton.length() == 0
-        && Vectors.norm(displacement) < REST_MM;
+        && Vectors.norm(whole.displacement()) < REST_MM;
   }
 
   private void solve(ElasticLoad next) {
     predict(next.forceNewton);
-    boolean scaledBack =
-        guard.unfold(displacement, proved); // So that rotations are those of a shape.
-    stiffening.update(guard.determinants());
-    lattice.rotate(displacement);
-    solveDisplacement();
-    for (int axis = 0; axis < 3; axis++) {
-      solveAnswer(axis);
-    }
-    scaledBack |= guard.unfold(displacement, proved);
+    boolean scaledBack = whole.unfold(proved); // So that rotations are those of a shape.
+    whole.stiffen();
+    lattice.rotate(whole.displacement());
+    counters.noteResidual(whole.solve(force, settings.residual()));
+    scaledBack |= whole.unfold(proved);
     counters.count(scaledBack);
-    publish();
+    boolean windowed = window != null && solveWindow();
+    publish(windowed);
+  }
+
+  /** Solves the window around the contact. Returns whether there is matter for the force. */
+  private boolean solveWindow() {
+    window.place(place);
+    if (window.patch().isEmpty()) {
+      window.restart();
+      return false;
+    }
+    counters.noteResidual(window.solveInside(whole, force, forceChange, settings.residual()));
+    return true;
   }
 
   /**
@@ -185,85 +176,71 @@ final class FieldUpdater {
   private void predict(Vec3 next) {
     boolean isLoaded = next.length() > 0;
     if (!isLoaded) {
-      Arrays.fill(displacement, 0);
+      Arrays.fill(whole.displacement(), 0);
     }
     for (int axis = 0; axis < 3; axis++) {
+      forceChange[axis] = next.get(axis) - force[axis];
       force[axis] = next.get(axis);
-      float change = (float) (force[axis] - lastForce[axis]);
+      float change = (float) forceChange[axis];
       if (change != 0 && isLoaded) {
-        Vectors.add(change, answers[axis], displacement);
+        Vectors.add(change, whole.solution(axis), whole.displacement());
       }
-      lastForce[axis] = force[axis];
-    }
-  }
-
-  private void solveDisplacement() {
-    Arrays.fill(load, 0);
-    for (int axis = 0; axis < 3; axis++) {
-      patch.addForce(axis, force[axis], load);
-    }
-    double size = Math.max(LEAST_LOAD_NEWTON, Vectors.norm(load));
-    stiffness.force(displacement, residual);
-    subtractFromLoad();
-    solve(displacement, changes[3], settings.residual() * size, DISPLACEMENT_STEPS);
-    counters.noteResidual(solver.residualNewton() / size);
-  }
-
-  private void solveAnswer(int axis) {
-    Arrays.fill(load, 0);
-    patch.addForce(axis, 1, load);
-    stiffness.multiply(answers[axis], residual);
-    subtractFromLoad();
-    double size = Vectors.norm(load);
-    if (Vectors.norm(residual) > size) { // The contact has gone elsewhere.
-      Arrays.fill(answers[axis], 0);
-      System.arraycopy(load, 0, residual, 0, load.length);
-    }
-    double goal = ANSWER_RESIDUAL * Math.max(LEAST_LOAD_NEWTON, size);
-    solve(answers[axis], changes[axis], goal, ANSWER_STEPS);
-  }
-
-  /** Solves for the residual. It first goes on along the last change, as a sliding contact does. */
-  private void solve(float[] solution, float[] change, double goalNewton, int mostSteps) {
-    System.arraycopy(solution, 0, before, 0, before.length);
-    solver.descend(change, residual, solution);
-    solver.solve(residual, solution, goalNewton, mostSteps);
-    for (int n = 0; n < change.length; n++) {
-      change[n] = solution[n] - before[n];
-    }
-  }
-
-  private void subtractFromLoad() {
-    for (int n = 0; n < residual.length; n++) {
-      residual[n] = load[n] - residual[n];
     }
   }
 
   /** Proves the field and hands it over, or goes back to the last one. */
-  private void publish() {
+  private void publish(boolean windowed) {
     DeformationField field = exchange.back();
     field.update = begun;
-    write(field);
-    double size = Math.sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
-    field.place.set(place);
-    field.slideIntervals = size > 0 ? slideIntervals(place, last.place) : 0;
-    if (field.slideIntervals > 0) {
-      field.takeEarlier(last);
-    }
-    beginRoom(field.room, size);
-    if (proof.prove(field, REACH_NEWTON + REACH_PER_LOAD * size, -size)) {
-      System.arraycopy(displacement, 0, proved, 0, proved.length);
+    write(field, windowed);
+    if (prove(field) || (windowed && proveWithoutWindow(field))) {
+      System.arraycopy(whole.displacement(), 0, proved, 0, proved.length);
       last.set(field);
       if (shape != null) {
         shape.offer(field); // Before the haptic thread owns the field.
       }
       exchange.publish();
     } else {
-      System.arraycopy(proved, 0, displacement, 0, proved.length);
-      for (float[] answer : answers) {
-        Arrays.fill(answer, 0);
-      }
+      System.arraycopy(proved, 0, whole.displacement(), 0, proved.length);
+      whole.clearAnswers();
+      restartWindow();
       counters.countRefused();
+    }
+  }
+
+  private boolean prove(DeformationField field) {
+    double size = Math.sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
+    field.slideIntervals = size > 0 ? slideIntervals(place, last.place) : 0;
+    if (field.slideIntervals > 0) {
+      field.takeEarlier(last);
+    }
+    beginRoom(field.room, size);
+    return proof.prove(field, REACH_NEWTON + REACH_PER_LOAD * size, -size);
+  }
+
+  private boolean proveWithoutWindow(DeformationField field) {
+    field.window.present = false;
+    restartWindow();
+    counters.countWindowless();
+    return prove(field);
+  }
+
+  private void restartWindow() {
+    if (window != null) {
+      window.restart();
+    }
+  }
+
+  private void write(DeformationField field, boolean windowed) {
+    field.place.set(place);
+    System.arraycopy(force, 0, field.baseNewton, 0, force.length);
+    whole.write(field.whole.values);
+    if (window != null) {
+      field.window.present = windowed;
+    }
+    if (windowed) {
+      WindowNodes.round(field.whole.values);
+      window.write(field);
     }
   }
 
@@ -272,7 +249,7 @@ final class FieldUpdater {
     double squared = 0;
     for (int axis = 0; axis < 3; axis++) {
       double voxels = to.get(axis) - from.get(axis);
-      double cells = voxels / lattice.layout().voxelsPerCell(axis);
+      double cells = voxels / finest.voxelsPerCell(axis);
       squared += cells * cells;
     }
     double cells = Math.sqrt(squared);
@@ -280,30 +257,30 @@ final class FieldUpdater {
     return blended ? (int) Math.ceil(cells / SLIDE_INTERVAL_CELLS) : 0;
   }
 
-  private void write(DeformationField field) {
-    int nodes = lattice.layout().nodeCount();
-    for (int axis = 0; axis < 3; axis++) {
-      float cellsPerMm = (float) (1 / lattice.layout().edgeMm(axis));
-      for (int node = 0; node < nodes; node++) {
-        int from = axis * nodes + node;
-        int to = DeformationField.STRIDE * node + axis;
-        field.values[to] = displacement[from] * cellsPerMm;
-        field.values[to + 3] = answers[0][from] * cellsPerMm;
-        field.values[to + 6] = answers[1][from] * cellsPerMm;
-        field.values[to + 9] = answers[2][from] * cellsPerMm;
-      }
-      field.baseNewton[axis] = force[axis];
-    }
-  }
-
   /** Sets the axis of the room: along the force, or into the solid if there is none. */
   private void beginRoom(ForceRoom room, double sizeNewton) {
-    double[] along = sizeNewton > LEAST_DIRECTED_NEWTON ? force : patch.inward();
+    double[] along = sizeNewton > LEAST_DIRECTED_NEWTON ? force : whole.patch().inward();
     double length = Math.sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
     if (length > 0) {
       room.begin(along[0] / length, along[1] / length, along[2] / length);
     } else {
       room.begin(0, 0, -1);
+    }
+  }
+
+  /**
+   * Settings of the updates of an elastic body.
+   *
+   * @param contactRadiusMm radius of the patch over which the force is spread, mm
+   * @param residual the largest unbalanced force that a displacement may leave, as a fraction of
+   *     its load
+   */
+  record Settings(double contactRadiusMm, double residual) {
+    private static final double USUAL_RESIDUAL = 1e-3;
+
+    /** Returns the usual settings on a lattice. */
+    static Settings usual(ControlLattice lattice) {
+      return new Settings(lattice.contactRadiusMm(), USUAL_RESIDUAL);
     }
   }
 }

@@ -49,7 +49,7 @@ public final class KuhnTetrahedra {
    * Sorts positions in a cell from the largest to the least. Both methods are written out for the
    * three axes: as loops over arrays they made the map forward, back and its gradient 7 % slower.
    */
-  private static void sort(double x, double y, double z, int[] order, double[] along) {
+  static void sort(double x, double y, double z, int[] order, double[] along) {
     boolean exchanged = x < y;
     double most = exchanged ? y : x;
     double middle = exchanged ? x : y;

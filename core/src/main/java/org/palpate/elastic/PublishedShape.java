@@ -1,5 +1,6 @@
 package org.palpate.elastic;
 
+import java.util.Optional;
 import org.palpate.elastic.lattice.LatticeLayout;
 import org.palpate.geometry.Vec3;
 import org.palpate.sync.Accumulator;
@@ -26,9 +27,9 @@ public final class PublishedShape {
    *
    * @param accumulator that of the reader, before its first publication
    */
-  PublishedShape(ElasticContact contact, LatticeLayout layout, Accumulator accumulator) {
+  PublishedShape(ElasticContact contact, DeformationField.Layout layout, Accumulator accumulator) {
     this.contact = contact;
-    this.layout = layout;
+    this.layout = layout.whole();
     fields = new FieldExchange(layout);
     map = new DeformationMap(layout, fields.front());
     point = accumulator.position("material point");
@@ -70,6 +71,27 @@ public final class PublishedShape {
     return layout;
   }
 
+  /** {@return the layout of the window, if the shape has one now} Its place is another one. */
+  public Optional<LatticeLayout> windowLayout() {
+    return map.field().hasWindow()
+        ? Optional.of(map.field().window.nodes().layout())
+        : Optional.empty();
+  }
+
+  /**
+   * Writes the first node of the window. The shape must have one now.
+   *
+   * @param dest receives the node, grid coordinates at rest
+   * @return {@code dest}
+   */
+  public Vec3 windowOrigin(Vec3 dest) {
+    for (int axis = 0; axis < 3; axis++) {
+      int voxels = map.field().window.firstCell[axis] * layout.voxelsPerCell(axis);
+      dest.set(axis, layout.originVoxel(axis) + voxels);
+    }
+    return dest;
+  }
+
   /**
    * Writes the interaction point of the last frame.
    *
@@ -101,6 +123,22 @@ public final class PublishedShape {
       for (int axis = 0; axis < 3; axis++) {
         double cells = map.displacement(node, axis);
         dest[3 * node + axis] = (float) (cells * layout.edgeMm(axis));
+      }
+    }
+  }
+
+  /**
+   * Writes the displacement of every node of the window, as {@link #displacementsMm}. The shape
+   * must have one now.
+   *
+   * @param dest three numbers for each node, in the order of their numbers
+   */
+  public void windowDisplacementsMm(float[] dest) {
+    LatticeLayout inWindow = map.field().window.nodes().layout();
+    for (int node = 0; node < inWindow.nodeCount(); node++) {
+      for (int axis = 0; axis < 3; axis++) {
+        double cells = map.windowDisplacement(node, axis);
+        dest[3 * node + axis] = (float) (cells * inWindow.edgeMm(axis));
       }
     }
   }

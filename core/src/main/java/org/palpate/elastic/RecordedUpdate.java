@@ -19,7 +19,7 @@ public record RecordedUpdate(long frame, Vec3 point, Vec3 forceNewton, List<Refi
   /**
    * The stiffness of a cell after an edit.
    *
-   * @param cell its place in the list of cells
+   * @param cell its number by {@link org.palpate.elastic.lattice.ControlLattice.RefillSink}
    * @param stiffness the stiffness from the edit on
    */
   public record Refill(int cell, CellStiffness stiffness) {}

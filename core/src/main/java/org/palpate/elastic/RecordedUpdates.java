@@ -32,9 +32,9 @@ public final class RecordedUpdates {
     this.recorded = List.copyOf(recorded);
     for (RecordedUpdate update : this.recorded) {
       for (RecordedUpdate.Refill refill : update.refills()) {
-        if (refill.cell() < 0 || refill.cell() >= body.hexahedra()) {
+        if (refill.cell() < 0 || refill.cell() >= body.lattice().refillCells()) {
           throw new IllegalArgumentException(
-              "there is no cell " + refill.cell() + " among " + body.hexahedra());
+              "there is no cell " + refill.cell() + " among " + body.lattice().refillCells());
         }
       }
     }

@@ -1,6 +1,7 @@
 package org.palpate.elastic;
 
 import org.palpate.elastic.lattice.ActiveCells;
+import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.elastic.lattice.LatticeLayout;
 
 /**
@@ -46,8 +47,25 @@ final class RoomProof {
     0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7
   };
 
-  private final ActiveCells cells;
-  private final CellBounds bounds;
+  /** The cells of a lattice or a window, and their quick bounds. */
+  private record Region(ActiveCells cells, CellBounds bounds) {
+    Region(ActiveCells cells) {
+      this(cells, new CellBounds(cells.layout()));
+    }
+  }
+
+  private final Region whole;
+
+  /** The cells of the window; null if the lattice never has one. */
+  private final Region window;
+
+  /** The one of both with the cell that is being looked at. */
+  private ActiveCells cells;
+
+  private CellBounds bounds;
+
+  /** The values of its nodes. */
+  private DeformationField.NodeValues nodes;
 
   /** The cells that could fold within reach. The one with the shortest bound is the first. */
   private final int[] near;
@@ -90,10 +108,10 @@ final class RoomProof {
   /** The longest change of the force that a cone may hold, N. */
   private double reach;
 
-  RoomProof(ActiveCells cells) {
-    this.cells = cells;
-    bounds = new CellBounds(cells.layout());
-    near = new int[cells.count()];
+  RoomProof(ControlLattice lattice) {
+    whole = new Region(lattice.cells());
+    window = lattice.window().map(inside -> new Region(inside.matter().cells())).orElse(null);
+    near = new int[whole.cells.count() + (window == null ? 0 : window.cells.count())];
     ownAlong = new double[near.length];
     ownAcross = new double[near.length];
     measured = new boolean[near.length];
@@ -200,9 +218,17 @@ final class RoomProof {
   private boolean findNear(DeformationField field, double reachNewton) {
     nearCount = 0;
     reach = reachNewton;
-    bounds.read(field);
-    for (int cell = 0; cell < cells.count(); cell++) {
-      int first = cells.firstNode(cell);
+    boolean blended = field.slideIntervals > 0;
+    whole.bounds.read(field.whole, blended);
+    if (field.hasWindow()) {
+      window.bounds.read(field.window.values, blended);
+    }
+    int count = field.hasWindow() ? near.length : whole.cells.count();
+    for (int cell = 0; cell < count; cell++) {
+      int first = select(field, cell);
+      if (cells == whole.cells && field.hasWindow() && isCovered(field.window, first)) {
+        continue;
+      }
       double room = leastRoom(field, first);
       double answers = bounds.squaredAnswers(first);
       if (Double.isNaN(room) || !Double.isFinite(answers)) {
@@ -215,6 +241,27 @@ final class RoomProof {
       }
     }
     return true;
+  }
+
+  /**
+   * Selects a cell: those of the lattice come first, then those of the window. Returns its first
+   * node.
+   */
+  private int select(DeformationField field, int cell) {
+    boolean inWindow = cell >= whole.cells.count();
+    Region region = inWindow ? window : whole;
+    cells = region.cells;
+    bounds = region.bounds;
+    nodes = inWindow ? field.window.values : field.whole;
+    return cells.firstNode(inWindow ? cell - whole.cells.count() : cell);
+  }
+
+  private boolean isCovered(DeformationField.Window inField, int firstNode) {
+    LatticeLayout layout = whole.cells.layout();
+    return inField.covers(
+        layout.nodeIndex(0, firstNode),
+        layout.nodeIndex(1, firstNode),
+        layout.nodeIndex(2, firstNode));
   }
 
   /**
@@ -233,7 +280,7 @@ final class RoomProof {
     double used = halfInterval(field) * Math.sqrt(mostSquared(slides));
     double least = Double.POSITIVE_INFINITY;
     for (int n = 0; n <= field.slideIntervals; n++) {
-      readCorners(field, firstNode, none, part(field, n));
+      readCorners(firstNode, none, part(field, n));
       double determinant = KuhnTetrahedra.leastDeterminant(corners);
       double squared = mostSquared(corners);
       if (!(determinant >= LEAST_DETERMINANT && squared <= MOST_SQUARED_LENGTH / 16)) {
@@ -292,13 +339,12 @@ final class RoomProof {
     return x * x + y * y + z * z;
   }
 
-  private void readCorners(
-      DeformationField field, int firstNode, double[] changeNewton, double part) {
+  private void readCorners(int firstNode, double[] changeNewton, double part) {
     for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
       int node = firstNode + cells.layout().cornerOffset(corner);
       for (int axis = 0; axis < 3; axis++) {
         corners[3 * corner + axis] =
-            (corner >> axis & 1) + field.displacement(node, axis, changeNewton, part);
+            (corner >> axis & 1) + nodes.displacement(node, axis, changeNewton, part);
       }
     }
   }
@@ -311,8 +357,8 @@ final class RoomProof {
       int node = firstNode + cells.layout().cornerOffset(corner);
       for (int axis = 0; axis < 3; axis++) {
         slides[3 * corner + axis] =
-            field.displacement(node, axis, changeNewton, 1)
-                - field.displacement(node, axis, changeNewton, 0);
+            nodes.displacement(node, axis, changeNewton, 1)
+                - nodes.displacement(node, axis, changeNewton, 0);
       }
     }
   }
@@ -322,14 +368,14 @@ final class RoomProof {
    * cell is not proved there.
    */
   private boolean measureCell(DeformationField field, int cell, double[] changeNewton) {
-    int first = cells.firstNode(cell);
+    int first = select(field, cell);
     readSlides(field, first, changeNewton);
     measureAnswers(field, first);
     cellAlong = Double.POSITIVE_INFINITY;
     cellAcross = Double.POSITIVE_INFINITY;
     boolean proved = true;
     for (int n = 0; n <= field.slideIntervals && proved; n++) {
-      readCorners(field, first, changeNewton, part(field, n));
+      readCorners(first, changeNewton, part(field, n));
       measureLengths();
       proved = measureTetrahedra(halfInterval(field));
     }
@@ -350,9 +396,9 @@ final class RoomProof {
       int to = DeformationField.STRIDE * (firstNode + cells.layout().cornerOffset(b)) + 3;
       along2[edge] = 0;
       across2[edge] = 0;
-      addLonger(field.values, field.room.axis(), from, to, edge);
+      addLonger(nodes.values, field.room.axis(), from, to, edge);
       if (field.slideIntervals > 0) {
-        addLonger(field.earlier, field.room.axis(), from, to, edge);
+        addLonger(nodes.earlier, field.room.axis(), from, to, edge);
         slide2[edge] = squaredDistance(slides, 3 * a, 3 * b);
       }
     }

@@ -13,6 +13,7 @@ public final class UpdateCounters {
   private long skipped;
   private long scaledBack;
   private long refused;
+  private long windowless;
   private long elsewhere;
   private double worstResidual;
 
@@ -31,6 +32,10 @@ public final class UpdateCounters {
 
   void countRefused() {
     refused++;
+  }
+
+  void countWindowless() {
+    windowless++;
   }
 
   void countElsewhere() {
@@ -68,6 +73,11 @@ public final class UpdateCounters {
   /** {@return the number of updates that could not be proved and were not used} */
   public long refused() {
     return refused;
+  }
+
+  /** {@return the number of updates that could be proved only without the window} */
+  public long windowless() {
+    return windowless;
   }
 
   /**

@@ -25,7 +25,7 @@ public interface UpdateListener {
    * Receives the stiffness of a cell whose voxels were counted anew for the next update. Thread of
    * the updates.
    *
-   * @param cell its place in the list of cells
+   * @param cell its number by {@link org.palpate.elastic.lattice.ControlLattice.RefillSink}
    * @param stiffness the new stiffness, which nobody changes
    */
   void refilled(int cell, CellStiffness stiffness);

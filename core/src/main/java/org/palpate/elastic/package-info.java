@@ -4,7 +4,8 @@
  *
  * <p>Uses {@code elastic.lattice}, {@code proxy}, {@code sync} and what stands below them. The
  * haptic thread owns {@code ElasticContact} and what it holds; one other thread owns {@code
- * FieldUpdater}. {@code FieldExchange}, {@code LoadExchange} and {@code ChangedCells} stand between
- * them and never wait. Positions are grid coordinates, forces newtons along the axes of the grid.
+ * FieldUpdater}. {@code FieldExchange}, {@code ElasticLoad.Exchange} and {@code ChangedCells} stand
+ * between them and never wait. Positions are grid coordinates, forces newtons along the axes of the
+ * grid.
  */
 package org.palpate.elastic;

@@ -16,14 +16,16 @@ class CellBoundsTest {
   private final ControlLattice lattice =
       ElasticTouch.softCube(new BitCube(16, 16, 16), 2, new GridMetric(1, 1, 1), 4);
   private final LatticeLayout layout = lattice.layout();
-  private final DeformationField field = new DeformationField(layout);
+  private final DeformationField field = new DeformationField(DeformationField.Layout.of(lattice));
   private final CellBounds bounds = new CellBounds(layout);
 
   /** Values of very different sizes, so that the longest edges differ from cell to cell. */
   private void randomField(int slideIntervals) {
-    for (int n = 0; n < field.values.length; n++) {
-      field.values[n] = (float) (random.nextGaussian() * Math.pow(10, -3 * random.nextDouble()));
-      field.earlier[n] = (float) (random.nextGaussian() * Math.pow(10, -3 * random.nextDouble()));
+    for (int n = 0; n < field.whole.values.length; n++) {
+      field.whole.values[n] =
+          (float) (random.nextGaussian() * Math.pow(10, -3 * random.nextDouble()));
+      field.whole.earlier[n] =
+          (float) (random.nextGaussian() * Math.pow(10, -3 * random.nextDouble()));
     }
     field.slideIntervals = slideIntervals;
   }
@@ -32,14 +34,15 @@ class CellBoundsTest {
   void theBoundsAreTheLongestEdgesOfACellAlongEachAxis() {
     for (int slideIntervals : new int[] {0, 2}) {
       randomField(slideIntervals);
-      bounds.read(field);
+      bounds.read(field.whole, field.slideIntervals > 0);
       for (int cell = 0; cell < lattice.cells().count(); cell++) {
         int first = lattice.cells().firstNode(cell);
-        double deviation = longest(field.values, first, 0, 3);
-        double answers = longest(field.values, first, 3, DeformationField.STRIDE);
+        double deviation = longest(field.whole.values, first, 0, 3);
+        double answers = longest(field.whole.values, first, 3, DeformationField.STRIDE);
         if (slideIntervals > 0) {
-          deviation = Math.max(deviation, longest(field.earlier, first, 0, 3));
-          answers = Math.max(answers, longest(field.earlier, first, 3, DeformationField.STRIDE));
+          deviation = Math.max(deviation, longest(field.whole.earlier, first, 0, 3));
+          answers =
+              Math.max(answers, longest(field.whole.earlier, first, 3, DeformationField.STRIDE));
         }
         assertEquals(deviation, bounds.squaredDeviation(first), 1e-5 * deviation);
         assertEquals(answers, bounds.squaredAnswers(first), 1e-5 * answers);
@@ -81,8 +84,8 @@ class CellBoundsTest {
       randomField(0);
       int cell = random.nextInt(lattice.cells().count());
       int node = lattice.cells().firstNode(cell) + layout.cornerOffset(random.nextInt(8));
-      field.values[DeformationField.STRIDE * node + component] = Float.NaN;
-      bounds.read(field);
+      field.whole.values[DeformationField.STRIDE * node + component] = Float.NaN;
+      bounds.read(field.whole, field.slideIntervals > 0);
       int first = lattice.cells().firstNode(cell);
       double found = component < 3 ? bounds.squaredDeviation(first) : bounds.squaredAnswers(first);
       assertTrue(Double.isNaN(found), "component " + component + ": " + found);

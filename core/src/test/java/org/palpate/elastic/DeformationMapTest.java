@@ -17,16 +17,16 @@ class DeformationMapTest {
   private final Random random = new Random(Seeds.seed());
   private final ControlLattice lattice =
       ElasticTouch.softCube(new BitCube(20, 20, 20), 2, new GridMetric(1, 1.5, 2), EDGE);
-  private final RoomProof proof = new RoomProof(lattice.cells());
-  private final DeformationField field = new DeformationField(lattice.layout());
-  private final DeformationMap map = new DeformationMap(lattice.layout(), field);
+  private final RoomProof proof = new RoomProof(lattice);
+  private final DeformationField field = new DeformationField(DeformationField.Layout.of(lattice));
+  private final DeformationMap map = new DeformationMap(DeformationField.Layout.of(lattice), field);
 
   private void newField(double displaced) {
     do {
       for (int node = 0; node < lattice.layout().nodeCount(); node++) {
         for (int n = 0; n < DeformationField.STRIDE; n++) {
           double size = lattice.cells().isFixed(node) ? 0 : n < 3 ? displaced : 0.01;
-          field.values[DeformationField.STRIDE * node + n] =
+          field.whole.values[DeformationField.STRIDE * node + n] =
               (float) (size * (2 * random.nextDouble() - 1));
         }
       }
@@ -74,8 +74,8 @@ class DeformationMapTest {
   /** At the earlier place the field before is in use, for any force, and between both a mixture. */
   @Test
   void aSlideGoesFromTheFieldBeforeToTheNewOne() {
-    DeformationField before = new DeformationField(lattice.layout());
-    DeformationMap mapBefore = new DeformationMap(lattice.layout(), before);
+    DeformationField before = new DeformationField(DeformationField.Layout.of(lattice));
+    DeformationMap mapBefore = new DeformationMap(DeformationField.Layout.of(lattice), before);
     newField(0.05);
     field.baseNewton[0] = 0.3;
     field.place.set(4, 4, 4);
@@ -112,7 +112,8 @@ class DeformationMapTest {
       field.slideIntervals = n % 2;
       field.earlierPlace.set(4, 4, 4);
       field.place.set(7, 5, 4);
-      System.arraycopy(field.values, 0, field.earlier, 12, field.values.length - 12);
+      System.arraycopy(
+          field.whole.values, 0, field.whole.earlier, 12, field.whole.values.length - 12);
       map.setForce(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
       Vec3 point = randomPoint();
       map.slideTo(new Vec3(4 + 3 * random.nextDouble(), 4.5, 4));

@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.OptionalDouble;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.palpate.edit.BrushEdit;
+import org.palpate.force.ForceSettings;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.LegJudge;
@@ -25,12 +27,15 @@ class ElasticGuaranteeTest {
 
   @ParameterizedTest
   @CsvSource({
-    "1, 1, 1, 20e3, 0.5, 8, false, false",
-    "1, 1, 1, 20e3, 0.5, 8, true, false",
-    "1, 1, 1, 5e3, 2, 8, true, true",
-    "1, 1, 1, 5e3, 2, 8, false, true",
-    "1, 1, 2, 20e3, 0.5, 9, true, true",
-    "0.4, 0.9, 0.7, 50e3, 1, 5, false, true",
+    "1, 1, 1, 20e3, 0.5, 8, , false, false",
+    "1, 1, 1, 20e3, 0.5, 8, , true, false",
+    "1, 1, 1, 5e3, 2, 8, , true, true",
+    "1, 1, 1, 5e3, 2, 8, , false, true",
+    "1, 1, 2, 20e3, 0.5, 9, , true, true",
+    "0.4, 0.9, 0.7, 50e3, 1, 5, , false, true",
+    "1, 1, 1, 20e3, 0.5, 8, 8, true, false",
+    "1, 1, 1, 5e3, 2, 8, 8, false, true",
+    "1, 1, 2, 20e3, 0.5, 8, 5, true, true",
   })
   void noLegTouchesAVoxelAndNoTetrahedronFolds(
       double sx,
@@ -39,11 +44,17 @@ class ElasticGuaranteeTest {
       double young,
       double k,
       double edge,
+      Double radius,
       boolean smooth,
       boolean edits) {
     ElasticTouch touch =
         new ElasticTouch(
-            ElasticTouch.Scene.block(new GridMetric(sx, sy, sz)), young, k, edge, smooth);
+            ElasticTouch.Scene.block(new GridMetric(sx, sy, sz)),
+            young,
+            ForceSettings.of(k, 0),
+            edge,
+            radius == null ? OptionalDouble.empty() : OptionalDouble.of(radius),
+            smooth);
     touch.hand.set(48.3, 48.4, 55);
     touch.run();
     LegJudge judge = new LegJudge(touch.soft, touch.frame.point().position);
@@ -52,6 +63,7 @@ class ElasticGuaranteeTest {
     double speed = 0.1;
     int stalled = 0;
     long tetrahedra = 0;
+    int windows = 0;
     for (int n = 0; n < FRAMES; n++) {
       if (random.nextInt(150) == 0) {
         goal.set(
@@ -86,22 +98,27 @@ class ElasticGuaranteeTest {
       assertNull(still.faultOf(touch.frame.point()), "frame " + n);
       if (n % 500 == 250) {
         assertEquals(0, TetrahedraJudge.folded(touch.lattice, touch.body.contact().map()));
+        assertEquals(0, TetrahedraJudge.gaps(touch.lattice, touch.body.contact().map().field()));
+        windows += touch.body.contact().map().field().hasWindow() ? 1 : 0;
         tetrahedra += 6L * touch.body.hexahedra();
       }
     }
     UpdateCounters counts = touch.body.counters();
     System.out.printf(
         "%d hexes, %d legs since the last release, %d tetrahedra, %d updates, %d scaled back, %d"
-            + " refused, residual %.1e, clipped %d%n",
+            + " refused, %d windowless, residual %.1e, clipped %d, %d windows%n",
         touch.body.hexahedra(),
         judge.legCount(),
         tetrahedra,
         counts.updates(),
         counts.scaledBack(),
         counts.refused(),
+        counts.windowless(),
         counts.worstResidual(),
-        touch.body.contact().clippedFrames());
+        touch.body.contact().clippedFrames(),
+        windows);
     assertTrue(tetrahedra > 0);
+    assertEquals(radius != null, windows > 0);
     assertEquals(0, counts.refused());
   }
 

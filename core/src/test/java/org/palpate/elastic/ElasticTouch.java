@@ -1,6 +1,7 @@
 package org.palpate.elastic;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.palpate.collision.CollisionScene;
 import org.palpate.device.ReadStatus;
 import org.palpate.edit.EditQueue;
@@ -43,6 +44,17 @@ final class ElasticTouch {
 
   /** Makes a scene at rest with other forces. */
   ElasticTouch(Scene made, double young, ForceSettings force, double edgeMm, boolean smooth) {
+    this(made, young, force, edgeMm, OptionalDouble.empty(), smooth);
+  }
+
+  /** Makes a scene at rest with a contact of any radius. */
+  ElasticTouch(
+      Scene made,
+      double young,
+      ForceSettings force,
+      double edgeMm,
+      OptionalDouble radiusMm,
+      boolean smooth) {
     newtonPerMm = force.stiffnessNewtonPerMm();
     soft = made.soft;
     still = made.still;
@@ -53,7 +65,8 @@ final class ElasticTouch {
             metric,
             List.of(new ElasticSegment(soft, new ElasticMaterial(young, 0.4))),
             List.of(still),
-            edgeMm);
+            edgeMm,
+            radiusMm);
     body = new ElasticBody(lattice, metric);
     updates = new SynchronousUpdates(body);
     Vec3 spacing = new Vec3(metric.spacingX(), metric.spacingY(), metric.spacingZ());

@@ -23,7 +23,7 @@ class HandOverTest {
 
   @Test
   void theReaderTakesTheNewestFieldOnce() {
-    FieldExchange exchange = new FieldExchange(lattice.layout());
+    FieldExchange exchange = new FieldExchange(DeformationField.Layout.of(lattice));
     assertFalse(exchange.hasNew());
     DeformationField first = exchange.back();
     exchange.publish();
@@ -41,7 +41,7 @@ class HandOverTest {
 
   @Test
   void theWriterNeverWritesTheFieldOfTheReader() {
-    FieldExchange exchange = new FieldExchange(lattice.layout());
+    FieldExchange exchange = new FieldExchange(DeformationField.Layout.of(lattice));
     for (int n = 0; n < 1000; n++) {
       if (random.nextBoolean()) {
         exchange.publish();
@@ -54,7 +54,7 @@ class HandOverTest {
 
   @Test
   void aLoadArrivesWholeWhileAnotherThreadWritesIt() throws InterruptedException {
-    LoadExchange exchange = new LoadExchange();
+    ElasticLoad.Exchange exchange = new ElasticLoad.Exchange();
     List<String> torn = new ArrayList<>();
     Thread reader =
         new Thread(
@@ -91,7 +91,7 @@ class HandOverTest {
       for (int k = box.lowZ; k <= box.highZ; k++) {
         for (int j = box.lowY; j <= box.highY; j++) {
           for (int i = box.lowX; i <= box.highX; i++) {
-            int cell = lattice.listedCell(i, j, k);
+            int cell = lattice.editedCell(i, j, k);
             if (cell >= 0 && !expected.contains(cell)) {
               expected.add(cell);
             }
@@ -127,7 +127,7 @@ class HandOverTest {
   private float[] moduli() {
     float[] moduli = new float[lattice.cells().count()];
     for (int cell = 0; cell < moduli.length; cell++) {
-      moduli[cell] = lattice.restModulus(cell);
+      moduli[cell] = lattice.matter().restModulus(cell);
     }
     return moduli;
   }

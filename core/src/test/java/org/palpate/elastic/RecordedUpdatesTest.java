@@ -6,10 +6,14 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.edit.BrushEdit;
 import org.palpate.elastic.lattice.CellStiffness;
+import org.palpate.force.ForceSettings;
 import org.palpate.geometry.GridMetric;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.Seeds;
@@ -21,8 +25,16 @@ class RecordedUpdatesTest {
   private final Random random = new Random(Seeds.seed());
   private final List<RecordedUpdate> recorded = new ArrayList<>();
 
-  private static ElasticTouch touch() {
-    return new ElasticTouch(ElasticTouch.Scene.block(new GridMetric(1, 1, 1)), 20e3, 0.5, 8, true);
+  private OptionalDouble radiusMm = OptionalDouble.empty();
+
+  private ElasticTouch touch() {
+    return new ElasticTouch(
+        ElasticTouch.Scene.block(new GridMetric(1, 1, 1)),
+        20e3,
+        ForceSettings.of(0.5, 0),
+        8,
+        radiusMm,
+        true);
   }
 
   /** Keeps updates in the order of the session, with the frame that used each. */
@@ -86,8 +98,10 @@ class RecordedUpdatesTest {
     return positions;
   }
 
-  @Test
-  void aReplayWithTheRecordedUpdatesGivesTheSameBits() {
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aReplayWithTheRecordedUpdatesGivesTheSameBits(boolean windowed) {
+    radiusMm = windowed ? OptionalDouble.of(8) : OptionalDouble.empty();
     List<Vec3> live = session();
     assertTrue(recorded.stream().anyMatch(r -> !r.refills().isEmpty()), "edits are recorded");
     assertTrue(recorded.stream().anyMatch(r -> r.frame() == RecordedUpdate.UNUSED), "some unused");
@@ -105,6 +119,7 @@ class RecordedUpdatesTest {
     assertTrue(moved > FRAMES / 2, "moved " + moved);
     assertTrue(touch.body.counters().updates() > 20);
     assertEquals(0, touch.body.counters().elsewhere());
+    assertEquals(windowed, touch.body.contact().map().field().hasWindow());
   }
 
   @Test

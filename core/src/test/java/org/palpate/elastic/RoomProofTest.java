@@ -19,14 +19,14 @@ class RoomProofTest {
   private final Random random = new Random(Seeds.seed());
   private final ControlLattice lattice =
       ElasticTouch.softCube(new BitCube(16, 16, 16), 2, new GridMetric(1, 1, 1), 4);
-  private final RoomProof proof = new RoomProof(lattice.cells());
-  private final DeformationField field = new DeformationField(lattice.layout());
+  private final RoomProof proof = new RoomProof(lattice);
+  private final DeformationField field = new DeformationField(DeformationField.Layout.of(lattice));
 
   private void randomField(double displaced, double answers) {
     for (int node = 0; node < lattice.layout().nodeCount(); node++) {
       for (int n = 0; n < DeformationField.STRIDE; n++) {
         double size = lattice.cells().isFixed(node) ? 0 : n < 3 ? displaced : answers;
-        field.values[DeformationField.STRIDE * node + n] =
+        field.whole.values[DeformationField.STRIDE * node + n] =
             (float) (size * (2 * random.nextDouble() - 1));
       }
     }
@@ -41,7 +41,7 @@ class RoomProofTest {
   void noForceInTheRoomFoldsATetrahedron() {
     int proved = 0;
     int moved = 0;
-    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    DeformationMap map = new DeformationMap(DeformationField.Layout.of(lattice), field);
     while (proved < 30) {
       randomField(0.02 + 0.1 * random.nextDouble(), Math.pow(10, -2 + 2 * random.nextDouble()));
       if (!proof.prove(field, 1 + 3 * random.nextDouble(), -2 * random.nextDouble())) {
@@ -68,10 +68,11 @@ class RoomProofTest {
     field.earlierPlace.set(5, 8, 8);
     field.place.set(7, 8, 8);
     field.slideIntervals = 1 + random.nextInt(4);
-    for (int n = 0; n < field.values.length; n++) {
+    for (int n = 0; n < field.whole.values.length; n++) {
       boolean fixed = lattice.cells().isFixed(n / DeformationField.STRIDE);
       double size = fixed ? 0 : n % DeformationField.STRIDE < 3 ? displaced : answers;
-      field.earlier[n] = field.values[n] + (float) (size * (2 * random.nextDouble() - 1));
+      field.whole.earlier[n] =
+          field.whole.values[n] + (float) (size * (2 * random.nextDouble() - 1));
     }
   }
 
@@ -79,7 +80,7 @@ class RoomProofTest {
   void noForceInTheRoomFoldsATetrahedronAnywhereOnASlide() {
     int blended = 0;
     int alone = 0;
-    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    DeformationMap map = new DeformationMap(DeformationField.Layout.of(lattice), field);
     while (blended < 30 || alone < 3) {
       double displaced = 0.02 + 0.08 * random.nextDouble();
       double answers = Math.pow(10, -2 + 2 * random.nextDouble());
@@ -181,7 +182,7 @@ class RoomProofTest {
 
   /** Returns the distance of the edges of a tetrahedron from those at rest. */
   private double deviation(int firstNode, int[] order, int part) {
-    float[] values = part == 1 ? field.values : field.earlier;
+    float[] values = part == 1 ? field.whole.values : field.whole.earlier;
     double squared = 0;
     for (int step = 0; step < 3; step++) {
       for (int row = 0; row < 3; row++) {
@@ -198,8 +199,8 @@ class RoomProofTest {
       for (int row = 0; row < 3; row++) {
         corners[3 * corner + row] =
             (corner >> row & 1)
-                + part * entry(field.values, firstNode, corner, row)
-                + (1 - part) * entry(field.earlier, firstNode, corner, row);
+                + part * entry(field.whole.values, firstNode, corner, row)
+                + (1 - part) * entry(field.whole.earlier, firstNode, corner, row);
       }
     }
     double squared = 0;
@@ -220,8 +221,8 @@ class RoomProofTest {
       for (int row = 0; row < 3; row++) {
         squared +=
             Math.pow(
-                edge(field.values, firstNode, order, step, row)
-                    - edge(field.earlier, firstNode, order, step, row),
+                edge(field.whole.values, firstNode, order, step, row)
+                    - edge(field.whole.earlier, firstNode, order, step, row),
                 2);
       }
     }
@@ -232,8 +233,8 @@ class RoomProofTest {
   private double answerLength(int firstNode, int[] order, double[] axis) {
     double squared = 0;
     for (int step = 0; step < 3; step++) {
-      double newer = squaredAnswer(field.values, firstNode, order, step, axis);
-      double before = squaredAnswer(field.earlier, firstNode, order, step, axis);
+      double newer = squaredAnswer(field.whole.values, firstNode, order, step, axis);
+      double before = squaredAnswer(field.whole.earlier, firstNode, order, step, axis);
       squared += field.slideIntervals == 0 ? newer : Math.max(newer, before);
     }
     return Math.sqrt(squared);
@@ -270,17 +271,17 @@ class RoomProofTest {
   /** Answers to forces across the axis are rounding alone, which large answers make visible. */
   @Test
   void noForceFoldsATetrahedronWhoseAnswersHaveOneDirection() {
-    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    DeformationMap map = new DeformationMap(DeformationField.Layout.of(lattice), field);
     for (int n = 0; n < 120; n++) {
       randomField(0.05, 0);
       double size = Math.pow(10, 9 * random.nextDouble());
       double[] axis = field.room.axis();
-      for (int at = 0; at < field.values.length; at += DeformationField.STRIDE) {
+      for (int at = 0; at < field.whole.values.length; at += DeformationField.STRIDE) {
         boolean fixed = lattice.cells().isFixed(at / DeformationField.STRIDE);
         for (int row = 0; row < 3 && !fixed; row++) {
           double answer = size * (2 * random.nextDouble() - 1);
           for (int force = 0; force < 3; force++) {
-            field.values[at + 3 + 3 * force + row] = (float) (axis[force] * answer);
+            field.whole.values[at + 3 + 3 * force + row] = (float) (axis[force] * answer);
           }
         }
       }
@@ -298,13 +299,13 @@ class RoomProofTest {
    */
   @Test
   void noForceFoldsATetrahedronThatDoesNotAnswerAlongTheAxis() {
-    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    DeformationMap map = new DeformationMap(DeformationField.Layout.of(lattice), field);
     int moved = 0;
     for (int n = 0; n < 20; n++) {
       randomField(0.05, 0.5);
       field.room.begin(0, 0, 1);
-      for (int at = 0; at < field.values.length; at += DeformationField.STRIDE) {
-        Arrays.fill(field.values, at + 9, at + 12, 0); // The answers to a force along z.
+      for (int at = 0; at < field.whole.values.length; at += DeformationField.STRIDE) {
+        Arrays.fill(field.whole.values, at + 9, at + 12, 0); // The answers to a force along z.
       }
       assertTrue(proof.prove(field, 4, -2), "field " + n);
       map.use(field);
@@ -320,7 +321,7 @@ class RoomProofTest {
 
   @Test
   void aFieldThatFoldsIsNotProved() {
-    DeformationMap map = new DeformationMap(lattice.layout(), field);
+    DeformationMap map = new DeformationMap(DeformationField.Layout.of(lattice), field);
     int folded = 0;
     int proved = 0;
     for (int n = 0; n < 120; n++) {
@@ -342,7 +343,7 @@ class RoomProofTest {
       int free = lattice.cells().firstNode(lattice.cells().count() / 2);
       for (int n = 0; n < DeformationField.STRIDE; n++) {
         randomField(0.01, 0.01);
-        field.values[DeformationField.STRIDE * free + n] = bad;
+        field.whole.values[DeformationField.STRIDE * free + n] = bad;
         assertFalse(proof.prove(field, 1, 0), "entry " + n);
       }
     }

@@ -16,11 +16,11 @@ class TetrahedraJudgeTest {
   private final ControlLattice lattice =
       ElasticTouch.softCube(new BitCube(16, 16, 16), 2, new GridMetric(1, 1, 1), 4);
   private final LatticeLayout layout = lattice.layout();
-  private final DeformationField field = new DeformationField(layout);
-  private final DeformationMap map = new DeformationMap(layout, field);
+  private final DeformationField field = new DeformationField(DeformationField.Layout.of(lattice));
+  private final DeformationMap map = new DeformationMap(DeformationField.Layout.of(lattice), field);
 
   private void displace(int node, int axis, double cells) {
-    field.values[DeformationField.STRIDE * node + axis] = (float) cells;
+    field.whole.values[DeformationField.STRIDE * node + axis] = (float) cells;
   }
 
   private int middleNode() {

@@ -1,5 +1,6 @@
 package org.palpate.scene;
 
+import java.util.Optional;
 import org.palpate.elastic.KuhnTetrahedra;
 import org.palpate.elastic.PublishedShape;
 import org.palpate.elastic.lattice.LatticeLayout;
@@ -7,7 +8,8 @@ import org.palpate.geometry.Vec3;
 
 /**
  * The displacement of everything that is drawn in one picture: a vector at each node of a lattice,
- * affine between them on the Kuhn tetrahedra of each cell, and none outside the lattice.
+ * affine between them on the Kuhn tetrahedra of each cell, and none outside the lattice. A box in
+ * the lattice may have shorter cells.
  *
  * <p>Immutable by convention: its array is read-only. Millimetres along the axes of the grid.
  */
@@ -21,6 +23,7 @@ public final class Deformation {
   private final Vec3 originMm;
   private final Vec3 cellMm;
   private final float[] displacementsMm;
+  private final Optional<Deformation> window;
   private final Vec3 lowMm = new Vec3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
   private final Vec3 highMm = new Vec3(-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE);
   private double longestMm;
@@ -35,6 +38,25 @@ public final class Deformation {
    *     another. The array belongs to the deformation from now on.
    */
   public Deformation(int[] nodes, Vec3 originMm, Vec3 cellMm, float[] displacementsMm) {
+    this(nodes, originMm, cellMm, displacementsMm, Optional.empty());
+  }
+
+  /**
+   * Creates a deformation with shorter cells in a box.
+   *
+   * @param nodes the number of nodes along each axis, at least 2
+   * @param originMm the first node, grid mm
+   * @param cellMm the edges of a cell, mm
+   * @param displacementsMm as of the other constructor
+   * @param window what takes the place of the lattice in its box, without a window of its own
+   */
+  public Deformation(
+      int[] nodes,
+      Vec3 originMm,
+      Vec3 cellMm,
+      float[] displacementsMm,
+      Optional<Deformation> window) {
+    this.window = window;
     this.nodes = nodes.clone();
     this.originMm = originMm;
     this.cellMm = cellMm;
@@ -42,11 +64,38 @@ public final class Deformation {
     for (int node = 0; node < displacementsMm.length / 3; node++) {
       include(node);
     }
+    window.ifPresent(this::include);
+  }
+
+  private void include(Deformation inBox) {
+    longestMm = Math.max(longestMm, inBox.longestMm);
+    for (int axis = 0; axis < 3; axis++) {
+      lowMm.set(axis, Math.min(lowMm.get(axis), inBox.lowMm.get(axis)));
+      highMm.set(axis, Math.max(highMm.get(axis), inBox.highMm.get(axis)));
+    }
   }
 
   /** Returns the present deformation of a shape. The reader of the shape calls it. */
   public static Deformation of(PublishedShape shape) {
     LatticeLayout layout = shape.layout();
+    Vec3 origin = new Vec3();
+    for (int axis = 0; axis < 3; axis++) {
+      origin.set(axis, layout.originVoxel(axis));
+    }
+    float[] displacements = new float[3 * layout.nodeCount()];
+    shape.displacementsMm(displacements);
+    return of(
+        layout, origin, displacements, shape.windowLayout().map(inBox -> window(shape, inBox)));
+  }
+
+  private static Deformation window(PublishedShape shape, LatticeLayout layout) {
+    float[] displacements = new float[3 * layout.nodeCount()];
+    shape.windowDisplacementsMm(displacements);
+    return of(layout, shape.windowOrigin(new Vec3()), displacements, Optional.empty());
+  }
+
+  private static Deformation of(
+      LatticeLayout layout, Vec3 originGrid, float[] displacements, Optional<Deformation> window) {
     int[] nodes = new int[3];
     Vec3 origin = new Vec3();
     Vec3 cell = new Vec3();
@@ -54,11 +103,9 @@ public final class Deformation {
       nodes[axis] = layout.cells(axis) + 1;
       cell.set(axis, layout.edgeMm(axis));
       double voxelMm = layout.edgeMm(axis) / layout.voxelsPerCell(axis);
-      origin.set(axis, layout.originVoxel(axis) * voxelMm);
+      origin.set(axis, originGrid.get(axis) * voxelMm);
     }
-    float[] displacements = new float[3 * layout.nodeCount()];
-    shape.displacementsMm(displacements);
-    return new Deformation(nodes, origin, cell, displacements);
+    return new Deformation(nodes, origin, cell, displacements, window);
   }
 
   private void include(int node) {
@@ -101,6 +148,16 @@ public final class Deformation {
     return displacementsMm;
   }
 
+  /** Returns what takes the place of the lattice in a box. */
+  public Optional<Deformation> window() {
+    return window;
+  }
+
+  /** Returns the shortest edge of a cell along an axis, mm. */
+  public double shortestCellMm(int axis) {
+    return window.orElse(this).cellMm.get(axis);
+  }
+
   /** Returns the length of the longest displacement, mm. */
   public double longestMm() {
     return longestMm;
@@ -129,6 +186,13 @@ public final class Deformation {
 
   /** Writes the displacement of a position at rest: none outside the lattice. */
   private void displacementMm(Vec3 restMm, Vec3 dest) {
+    if (window.isEmpty() || !window.get().findDisplacementMm(restMm, dest)) {
+      findDisplacementMm(restMm, dest);
+    }
+  }
+
+  /** Writes the displacement of a position by this lattice alone. Returns whether it is inside. */
+  private boolean findDisplacementMm(Vec3 restMm, Vec3 dest) {
     double[] at = new double[3];
     int[] cells = new int[3];
     for (int axis = 0; axis < 3; axis++) {
@@ -139,7 +203,8 @@ public final class Deformation {
     int[] order = new int[3];
     double[] along = new double[3];
     dest.set(0, 0, 0);
-    if (KuhnTetrahedra.find(at, cells, node, order, along)) {
+    boolean inside = KuhnTetrahedra.find(at, cells, node, order, along);
+    if (inside) {
       double[] weights = new double[4];
       KuhnTetrahedra.weigh(along, weights);
       addNode(weights[0], node, dest);
@@ -148,6 +213,7 @@ public final class Deformation {
         addNode(weights[n + 1], node, dest);
       }
     }
+    return inside;
   }
 
   private void addNode(double weight, int[] index, Vec3 dest) {

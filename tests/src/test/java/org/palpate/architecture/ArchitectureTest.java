@@ -269,6 +269,7 @@ class ArchitectureTest {
       Set.of(
           BASE + "collision.CollisionSceneVariants",
           BASE + "elastic.ElasticBodyVariants",
+          BASE + "elastic.WindowVariants",
           BASE + "elastic.lattice.BeamVariants",
           BASE + "elastic.lattice.DiscVariants",
           BASE + "opencl.OpenClLegsVariants",

@@ -65,6 +65,7 @@ class NumericOptionsTest {
           Ranged.real("touch --headless", "--guide-force", 1e-6, 1e6),
           Ranged.real("touch --headless", "--guide-range", 1e-6, 1e6),
           Ranged.real("touch --headless --elastic skull=young:1e4", "--lattice", 1e-6, 1e6),
+          Ranged.real("touch --headless --elastic skull=young:1e4", "--contact-radius", 1e-6, 1e6),
           Ranged.real("touch --headless --tool sphere:2", "--rotational-stiffness", 1e-6, 1e6),
           Ranged.real(REPLAY, "--stiffness", 1e-6, 1e6),
           Ranged.real(REPLAY, "--friction", 0, 100),
@@ -76,6 +77,7 @@ class NumericOptionsTest {
           Ranged.real(REPLAY, "--guide-force", 1e-6, 1e6),
           Ranged.real(REPLAY, "--guide-range", 1e-6, 1e6),
           Ranged.real(REPLAY + " --elastic sphere=young:1e4", "--lattice", 1e-6, 1e6),
+          Ranged.real(REPLAY + " --elastic sphere=young:1e4", "--contact-radius", 1e-6, 1e6),
           Ranged.real(REPLAY + " --tool sphere:2", "--rotational-stiffness", 1e-6, 1e6),
           Ranged.whole(REPLAY, "--repeat", 3, 1_000_000),
           Ranged.whole(REPLAY + " --tool sphere:2", "--legs-every", 1, Integer.MAX_VALUE),
@@ -93,6 +95,11 @@ class NumericOptionsTest {
           Ranged.real(
               "render --out x.png --trajectory t.csv --elastic skull=young:1e4",
               "--lattice",
+              1e-6,
+              1e6),
+          Ranged.real(
+              "render --out x.png --trajectory t.csv --elastic skull=young:1e4",
+              "--contact-radius",
               1e-6,
               1e6),
           Ranged.real("render --out x.png", "--zoom", 0.01, 1000),

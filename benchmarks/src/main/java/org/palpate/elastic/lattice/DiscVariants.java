@@ -1,6 +1,8 @@
 package org.palpate.elastic.lattice;
 
 import java.util.List;
+import java.util.OptionalDouble;
+import java.util.function.Function;
 import org.palpate.geometry.GridMetric;
 import org.palpate.volume.BitCube;
 
@@ -43,72 +45,58 @@ public final class DiscVariants {
    */
   public static double depth(int edge, double radiusMm, double cellMm, double poisson) {
     DiscVariants disc = new DiscVariants(edge, radiusMm, poisson, (int) (4 * cellMm));
-    ControlLattice lattice = disc.lattice(disc.cube, disc.floor, cellMm);
+    ControlLattice lattice = disc.lattice(cellMm, OptionalDouble.empty());
     float[] load = disc.load(lattice.layout());
     lattice.rotate(new float[load.length]);
     return BeamVariants.compliance(lattice.newSolver(), load);
   }
 
+  /** Solves a window at a place for a load, and returns the depth of the disc, mm/N. */
+  public interface InWindow {
+    /**
+     * Returns the depth.
+     *
+     * @param displacement that of the whole lattice, mm
+     * @param at the place, cells of the lattice
+     * @param load returns the load on the nodes of a layout, N
+     */
+    double depth(
+        ControlLattice lattice,
+        float[] displacement,
+        double[] at,
+        Function<LatticeLayout, float[]> load);
+  }
+
   /**
-   * Returns the depth in a fine lattice below the disc, mm/N, whose sides are displaced as in a
-   * coarse lattice of the whole cube.
+   * Returns the depth in the window that a lattice has around a contact of the disc's radius, mm/N.
    *
    * @param edge of the cube, voxels
-   * @param radiusMm of the disc
-   * @param cellMm the edge of a cell of the coarse lattice
-   * @param fineMm the edge of a cell of the fine one
-   * @param reachMm from the disc's axis to the sides of the fine lattice, and down to its bottom
+   * @param radiusMm of the disc, less than two cells
+   * @param cellMm the edge of a cell of the lattice
    */
   public static double depthInWindow(
-      int edge, double radiusMm, double cellMm, double fineMm, int reachMm, double poisson) {
+      int edge, double radiusMm, double cellMm, double poisson, InWindow inWindow) {
     DiscVariants disc = new DiscVariants(edge, radiusMm, poisson, (int) (4 * cellMm));
-    ControlLattice coarse = disc.lattice(disc.cube, disc.floor, cellMm);
-    float[] load = disc.load(coarse.layout());
+    ControlLattice lattice = disc.lattice(cellMm, OptionalDouble.of(radiusMm));
+    float[] load = disc.load(lattice.layout());
     float[] displacement = new float[load.length];
-    coarse.rotate(displacement);
-    BeamVariants.solve(coarse.newSolver(), load, displacement);
-
-    BitCube window = disc.window(reachMm);
-    BitCube around = disc.cube.copy();
-    disc.fillWindow(reachMm, around::clear);
-    ControlLattice fine = disc.lattice(window, around, fineMm);
-    float[] fineLoad = disc.load(fine.layout());
-    float[] inWindow = interpolated(coarse.layout(), displacement, fine.layout());
-    fine.rotate(new float[fineLoad.length]);
-    float[] residual = new float[fineLoad.length];
-    fine.stiffness().multiply(inWindow, residual);
-    for (int n = 0; n < residual.length; n++) {
-      boolean isFixed = fine.cells().isFixed(n % fine.layout().nodeCount());
-      residual[n] = isFixed ? 0 : fineLoad[n] - residual[n];
+    lattice.rotate(displacement);
+    BeamVariants.solve(lattice.newSolver(), load, displacement);
+    double middle = disc.margin + edge / 2.0;
+    double[] at = {middle, middle, (double) disc.margin + edge};
+    for (int axis = 0; axis < 3; axis++) {
+      at[axis] = (at[axis] - lattice.layout().originVoxel(axis)) / cellMm;
     }
-    BeamVariants.solve(fine.newSolver(), residual, inWindow);
-    return Vectors.dot(fineLoad, inWindow);
+    return inWindow.depth(lattice, displacement, at, disc::load);
   }
 
-  private BitCube window(int reachMm) {
-    BitCube window = new BitCube(cube.sizeX(), cube.sizeY(), cube.sizeZ());
-    fillWindow(reachMm, window::set);
-    return window;
-  }
-
-  private void fillWindow(int reachMm, BitCube.VoxelSink sink) {
-    int middle = margin + edge / 2;
-    int top = margin + edge;
-    for (int k = top - reachMm; k < top; k++) {
-      for (int j = middle - reachMm; j < middle + reachMm; j++) {
-        for (int i = middle - reachMm; i < middle + reachMm; i++) {
-          sink.take(i, j, k);
-        }
-      }
-    }
-  }
-
-  private ControlLattice lattice(BitCube soft, BitCube still, double cellMm) {
+  private ControlLattice lattice(double cellMm, OptionalDouble contactMm) {
     return new ControlLattice(
         new GridMetric(1, 1, 1),
-        List.of(new ElasticSegment(soft, material)),
-        List.of(still),
-        cellMm);
+        List.of(new ElasticSegment(cube, material)),
+        List.of(floor),
+        cellMm,
+        contactMm);
   }
 
   /** Returns the pressure of the disc with a force of 1 N. */
@@ -128,27 +116,5 @@ public final class DiscVariants {
       }
     }
     return load;
-  }
-
-  /** Returns a displacement of one lattice at the nodes of another: zero outside of it. */
-  private static float[] interpolated(LatticeLayout from, float[] displacement, LatticeLayout to) {
-    float[] found = new float[3 * to.nodeCount()];
-    double[] at = new double[3];
-    for (int node = 0; node < to.nodeCount(); node++) {
-      for (int axis = 0; axis < 3; axis++) {
-        at[axis] = to.originVoxel(axis) + to.nodeIndex(axis, node) * to.voxelsPerCell(axis);
-      }
-      for (int axis = 0; axis < 3; axis++) {
-        int component = axis;
-        float[] sum = new float[1];
-        BeamVariants.forCorners(
-            from,
-            at,
-            (corner, weight) ->
-                sum[0] += (float) weight * displacement[component * from.nodeCount() + corner]);
-        found[axis * to.nodeCount() + node] = sum[0];
-      }
-    }
-    return found;
   }
 }

@@ -43,9 +43,9 @@ class ElasticStudiesTest {
     String disc = "disc on a half space, off the formula";
     assertEquals(17.2, value(figures, "radius of one cell", disc), 0.2, "half of it with each");
     assertEquals(9.0, value(figures, "radius of 2 cells", disc), 0.2, "halving of the cells");
-    String window = "disc in a fine window, off the whole fine lattice";
-    assertEquals(1.2, value(figures, "reach of 2 radii", window), 0.1);
-    assertEquals(0.5, value(figures, "reach of 3 radii", window), 0.1);
+    assertTrue(value(figures, "radius of one cell, in a window", disc) < 10);
+    String window = "disc on a cube, off a whole lattice of short cells";
+    assertTrue(value(figures, "radius of one cell, in a window", window) < 2);
   }
 
   @Test

@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * The cells that can deform, those with a node that is not fixed, in a list. All other nodes and
- * cells stand still. Immutable; any thread.
+ * cells stand still. Immutable, any thread; those of a window belong to the thread that solves,
+ * which fixes other nodes when the window moves.
  */
 public final class ActiveCells {
   private static final int NOT_LISTED = -1;
@@ -64,10 +65,28 @@ public final class ActiveCells {
   ActiveCells coarser() {
     LatticeLayout coarse = layout.coarser();
     boolean[] coarseFixed = new boolean[coarse.nodeCount()];
+    fixCoarse(coarse, coarseFixed);
+    return new ActiveCells(coarse, coarseFixed);
+  }
+
+  private void fixCoarse(LatticeLayout coarse, boolean[] coarseFixed) {
     for (int node = 0; node < coarseFixed.length; node++) {
       coarseFixed[node] = fixedShare(coarse, node) >= FIXING_SHARE;
     }
-    return new ActiveCells(coarse, coarseFixed);
+  }
+
+  /**
+   * Fixes other nodes. The list stays, so it must hold each cell with a node that is free now.
+   *
+   * @param nodes for each node whether it is fixed; must hold for every node on the rim
+   */
+  void fix(boolean[] nodes) {
+    System.arraycopy(nodes, 0, fixed, 0, fixed.length);
+  }
+
+  /** Fixes the nodes of the list on cells of twice the edge anew, as {@link #coarser} does. */
+  void fixAgain(ActiveCells coarse) {
+    fixCoarse(coarse.layout, coarse.fixed);
   }
 
   /** Returns the share of fixed nodes among those of the lattice around a coarse node. */

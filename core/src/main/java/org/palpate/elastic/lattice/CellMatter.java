@@ -1,5 +1,6 @@
 package org.palpate.elastic.lattice;
 
+import java.util.Arrays;
 import org.palpate.volume.BitCube;
 
 /**
@@ -20,13 +21,21 @@ final class CellMatter {
 
   /** Begins a cell. */
   void begin(int cell) {
+    begin(
+        layout.firstVoxel(0, layout.cellIndex(0, cell)),
+        layout.firstVoxel(1, layout.cellIndex(1, cell)),
+        layout.firstVoxel(2, layout.cellIndex(2, cell)));
+  }
+
+  /** Begins a cell anywhere at its first voxel. */
+  void begin(int x, int y, int z) {
     sum = 0;
     voxels = 0;
-    for (int axis = 0; axis < 3; axis++) {
-      begin[axis] = layout.firstVoxel(axis, layout.cellIndex(axis, cell));
-      first[axis] = 0;
-      second[axis] = 0;
-    }
+    begin[0] = x;
+    begin[1] = y;
+    begin[2] = z;
+    Arrays.fill(first, 0);
+    Arrays.fill(second, 0);
   }
 
   /** Adds the voxels of a segment. */

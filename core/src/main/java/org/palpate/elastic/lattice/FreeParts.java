@@ -69,6 +69,17 @@ final class FreeParts {
     return count;
   }
 
+  /**
+   * Returns a search that also counts parts that had no support from the start.
+   *
+   * @param solidModulus of each listed cell
+   */
+  static FreeParts ofAll(ActiveCells cells, float[] solidModulus) {
+    FreeParts parts = new FreeParts(cells, solidModulus);
+    Arrays.fill(parts.stood, true);
+    return parts;
+  }
+
   private boolean isNew(int cell) {
     return cell >= 0 && !visited[cell] && solidModulus[cell] > 0;
   }

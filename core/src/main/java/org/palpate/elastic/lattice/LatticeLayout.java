@@ -8,7 +8,7 @@ import org.palpate.geometry.IntBox;
  * same number of whole voxels along an axis. Axes are 0 for x, 1 for y and 2 for z.
  *
  * <p>Lattice coordinates count cells: the first node is at (0,0,0), and each cell is a unit cube.
- * Immutable; any thread.
+ * Immutable but for the place of a {@link WindowLattice}; any thread.
  */
 public final class LatticeLayout {
   /** The number of corners of a cell: bit 0 of a corner's index is x, bit 1 is y, bit 2 is z. */
@@ -51,11 +51,17 @@ public final class LatticeLayout {
    * @param wantedEdgeMm the edge of a cell, mm; rounded to whole voxels, at least one
    * @param airCells layers of cells around the box
    * @param multiple the number of cells along each axis is a multiple of this
+   * @param divisor the number of voxels along an edge is a multiple of this
    * @throws IllegalArgumentException if there would be more than {@link #MOST_CELLS} cells along an
    *     axis, or {@link #MOST_CELLS_IN_ALL}
    */
   static LatticeLayout around(
-      IntBox solids, GridMetric metric, double wantedEdgeMm, int airCells, int multiple) {
+      IntBox solids,
+      GridMetric metric,
+      double wantedEdgeMm,
+      int airCells,
+      int multiple,
+      int divisor) {
     int[] low = {solids.lowX, solids.lowY, solids.lowZ};
     int[] high = {solids.highX, solids.highY, solids.highZ};
     double[] spacing = {metric.spacingX(), metric.spacingY(), metric.spacingZ()};
@@ -64,8 +70,9 @@ public final class LatticeLayout {
     int[] cells = new int[3];
     double[] edge = new double[3];
     for (int axis = 0; axis < 3; axis++) {
-      double wanted = Math.rint(wantedEdgeMm / spacing[axis]);
-      voxels[axis] = (int) Math.max(1, Math.min(wanted, high[axis] - low[axis] + 1));
+      double wanted = Math.rint(wantedEdgeMm / (divisor * spacing[axis]));
+      int most = ceilDiv(high[axis] - low[axis] + 1, divisor);
+      voxels[axis] = divisor * (int) Math.max(1, Math.min(wanted, most));
       edge[axis] = voxels[axis] * spacing[axis];
       int covering = ceilDiv(high[axis] - low[axis] + 1, voxels[axis]);
       int needed = covering + 2 * airCells;
@@ -82,6 +89,32 @@ public final class LatticeLayout {
           "the lattice has " + (long) all + " cells, more than " + MOST_CELLS_IN_ALL);
     }
     return new LatticeLayout(origin, voxels, cells, edge);
+  }
+
+  /**
+   * Returns the layout of a window at the first cells of this lattice.
+   *
+   * @param size the number of cells of this lattice in the window along each axis
+   * @param factor the number of its cells along an edge of this lattice; divides the number of
+   *     voxels
+   */
+  LatticeLayout window(int[] size, int factor) {
+    int[] voxels = new int[3];
+    int[] inWindow = new int[3];
+    double[] edge = new double[3];
+    for (int axis = 0; axis < 3; axis++) {
+      voxels[axis] = voxelsPerCell[axis] / factor;
+      inWindow[axis] = size[axis] * factor;
+      edge[axis] = edgeMm[axis] / factor;
+    }
+    return new LatticeLayout(originVoxel.clone(), voxels, inWindow, edge);
+  }
+
+  /** Moves a window, so that it begins at a cell of the lattice that it belongs to. */
+  void moveTo(LatticeLayout whole, int[] firstCell) {
+    for (int axis = 0; axis < 3; axis++) {
+      originVoxel[axis] = whole.firstVoxel(axis, firstCell[axis]);
+    }
   }
 
   private static int ceilDiv(int a, int b) {
@@ -192,6 +225,21 @@ public final class LatticeLayout {
       case 1 -> node / nodesX % nodesY;
       default -> node / nodesX / nodesY;
     };
+  }
+
+  /**
+   * {@return whether a node lies on the sides of the lattice}
+   *
+   * @param node the number of the node
+   */
+  public boolean isOnRim(int node) {
+    for (int axis = 0; axis < 3; axis++) {
+      int index = nodeIndex(axis, node);
+      if (index == 0 || index == cells[axis]) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns the number of a cell. */

@@ -28,7 +28,7 @@ final class MultigridPreconditioner implements Preconditioner {
   private final Level[] levels;
 
   /** The eigenvalue up to which smoothing acts. */
-  private final float top;
+  private float top;
 
   /** Between each level and the next. */
   private final NodeTransfer[] transfers;
@@ -116,6 +116,15 @@ final class MultigridPreconditioner implements Preconditioner {
     double estimate = EIGENVALUE_FACTOR * norm;
     float bound = diagonal.largestEigenvalue();
     return estimate > 0 && estimate < bound ? (float) estimate : bound;
+  }
+
+  /** Takes over which nodes of the fine lattice are fixed; {@link #refresh} must follow. */
+  void fixedNodesDiffer() {
+    for (int n = 0; n < transfers.length; n++) {
+      levels[n].stiffness.cells().fixAgain(levels[n + 1].stiffness.cells());
+      transfers[n].takeFixedNodes();
+    }
+    top = largestEigenvalue(levels[0]);
   }
 
   /** Takes moduli and rotations over from the fine lattice, whose displacement this is, mm. */

@@ -32,16 +32,21 @@ final class NodeTransfer {
     }
     coarseX = new float[3 * coarseNodes[0] * fineNodes[1] * fineNodes[2]];
     coarseXy = new float[3 * coarseNodes[0] * coarseNodes[1] * fineNodes[2]];
-    fineFree = free(fine);
-    coarseFree = free(coarse);
+    fineFree = new float[fine.layout().nodeCount()];
+    coarseFree = new float[coarse.layout().nodeCount()];
+    takeFixedNodes();
   }
 
-  private static float[] free(ActiveCells cells) {
-    float[] free = new float[cells.layout().nodeCount()];
+  /** Takes over which nodes are fixed, after a change. */
+  void takeFixedNodes() {
+    findFree(fine, fineFree);
+    findFree(coarse, coarseFree);
+  }
+
+  private static void findFree(ActiveCells cells, float[] free) {
     for (int node = 0; node < free.length; node++) {
       free[node] = cells.isFixed(node) ? 0 : 1;
     }
-    return free;
   }
 
   /** Copies the entries of the nodes that both lattices have. */

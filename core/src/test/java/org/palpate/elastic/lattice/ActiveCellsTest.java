@@ -8,7 +8,7 @@ import org.palpate.geometry.IntBox;
 
 class ActiveCellsTest {
   private final LatticeLayout layout =
-      LatticeLayout.around(box(32), new GridMetric(1, 1, 1), 4, 0, 4);
+      LatticeLayout.around(box(32), new GridMetric(1, 1, 1), 4, 0, 4, 1);
 
   private static IntBox box(int edge) {
     IntBox box = new IntBox();

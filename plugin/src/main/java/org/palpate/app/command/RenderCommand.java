@@ -93,6 +93,7 @@ public final class RenderCommand implements Callable<Integer> {
           "--fixed",
           "--fill",
           "--lattice",
+          "--contact-radius",
           "--upside-down",
           "--zoom",
           "--theme",

@@ -32,10 +32,13 @@ import picocli.CommandLine.Option;
 public final class ElasticOptions {
   /** The names of these options. */
   public static final List<String> NAMES =
-      List.of("--elastic", "--fixed", ElasticFill.OPTION, "--lattice");
+      List.of("--elastic", "--fixed", ElasticFill.OPTION, "--lattice", "--contact-radius");
 
   private static final NumberRange LATTICE =
       NumberRange.positive("--lattice", "the edge of a cell", "mm");
+
+  private static final NumberRange CONTACT_RADIUS =
+      NumberRange.positive("--contact-radius", "the radius of a contact", "mm");
 
   /** Young's modulus of a fill if the user chooses none: that of soft tissue, Pa. */
   private static final double USUAL_FILL_PASCAL = 10e3;
@@ -63,6 +66,15 @@ public final class ElasticOptions {
           "Edge of a finite element of elastic segments, rounded to whole voxels. Default: such"
               + " that some 3,000 cover them.")
   private Double latticeMm;
+
+  @Option(
+      names = "--contact-radius",
+      paramLabel = "MM",
+      description =
+          "Radius over which the force on an elastic segment is spread, half an edge of an element"
+              + " or more. If it is less than two edges, shorter elements follow the contact."
+              + " Default: two edges.")
+  private Double contactRadiusMm;
 
   @Option(
       names = ElasticFill.OPTION,
@@ -178,6 +190,7 @@ public final class ElasticOptions {
    */
   public void check(VolumeOptions volume, ToolOptions tool) throws VolumeFormatException {
     LATTICE.checkGiven(latticeMm);
+    CONTACT_RADIUS.checkGiven(contactRadiusMm);
     fillsHead = volume.isHeadPhantom();
     takeFrom(volume);
     if (!ofScene.isEmpty() && tool.isRigid()) {
@@ -209,6 +222,7 @@ public final class ElasticOptions {
     if (!isWanted()) {
       refuseAlone("--fixed", !fixed.isEmpty());
       refuseAlone("--lattice", latticeMm != null);
+      refuseAlone("--contact-radius", contactRadiusMm != null);
       refuseAlone(ElasticFill.OPTION, !fill.isEmpty());
       return Optional.empty();
     }
@@ -292,12 +306,15 @@ public final class ElasticOptions {
         (name, voxels) -> soft.add(new ElasticSegment(voxels, materials.get(name), false)));
     try {
       OptionalDouble edgeMm = LATTICE.checkGiven(latticeMm);
-      return ElasticPlan.of(volume, materials, soft, edgeMm).get();
+      OptionalDouble radiusMm = CONTACT_RADIUS.checkGiven(contactRadiusMm);
+      return ElasticPlan.of(volume, materials, soft, edgeMm).withContact(radiusMm).get();
     } catch (IllegalArgumentException e) {
       throw PalpateException.wrongUse(
           e.getMessage(),
           String.join(", ", materials.keySet()),
-          "change --elastic or --lattice",
+          contactRadiusMm == null
+              ? "change --elastic or --lattice"
+              : "change --elastic, --lattice or --contact-radius",
           e);
     }
   }

@@ -22,6 +22,7 @@ public final class ElasticFields {
     fields.put("update_ms", times(counts));
     fields.put("scaled_back", counts.scaledBack());
     fields.put("refused", counts.refused());
+    fields.put("windowless", counts.windowless());
     fields.put("worst_residual", counts.worstResidual());
     fields.put("clipped_frames", body.contact().clippedFrames());
     fields.put("lowered_frames", body.contact().loweredFrames());

@@ -6,23 +6,28 @@ import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL2ES3;
 import com.jogamp.opengl.GL3;
 import java.util.Optional;
+import org.palpate.geometry.Vec3;
 import org.palpate.scene.Deformation;
 
 /**
- * The displacements of a deformation as a 3-D texture, one texel a node, for programs that contain
- * {@link Shaders#DISPLACEMENT}. Uploaded once for each deformation.
+ * The displacements of a deformation as 3-D textures, one texel a node, for programs that contain
+ * {@link Shaders#DISPLACEMENT}: one of the lattice, and one of its window. Uploaded once for each
+ * deformation.
  */
 final class DeformationTexture {
-  /** The unit of the texture; 0 is for pictures, and 1 for {@link TintTexture}. */
-  private static final int UNIT = 2;
+  /** The unit of the lattice; 0 is for pictures, and 1 for {@link TintTexture}. */
+  private static final int LATTICE = 2;
 
-  private final int[] texture = new int[1];
+  /** The unit of the window. */
+  private static final int WINDOW = 3;
+
+  private final int[] textures = new int[2];
+  private final Deformation[] uploaded = new Deformation[2];
   private final int mostNodes;
-  private Deformation uploaded;
 
-  /** Creates a texture without displacements. */
+  /** Creates textures without displacements. */
   DeformationTexture(GL3 gl) {
-    gl.glGenTextures(1, texture, 0);
+    gl.glGenTextures(textures.length, textures, 0);
     int[] most = new int[1];
     gl.glGetIntegerv(GL2ES3.GL_MAX_3D_TEXTURE_SIZE, most, 0);
     mostNodes = most[0];
@@ -46,22 +51,28 @@ final class DeformationTexture {
    * @return the deformation that is drawn; empty if everything stands still
    */
   Optional<Deformation> use(GL3 gl, GlProgram program, Optional<Deformation> wanted) {
-    program.set(gl, "displacements", UNIT);
+    program.set(gl, "displacements", LATTICE);
+    program.set(gl, "windowDisplacements", WINDOW);
     program.set(gl, "deforms", 0);
     Optional<Deformation> drawn = drawable(wanted);
-    drawn.ifPresent(deformation -> bind(gl, program, deformation));
+    Optional<Deformation> window = drawn.flatMap(Deformation::window);
+    program.set(gl, "windowed", window.isPresent() ? 1 : 0);
+    drawn.ifPresent(deformation -> bind(gl, program, LATTICE, "lattice", deformation));
+    window.ifPresent(deformation -> bind(gl, program, WINDOW, "window", deformation));
     return drawn;
   }
 
-  private void bind(GL3 gl, GlProgram program, Deformation shown) {
-    program.set(gl, "latticeOrigin", shown.originMm().x, shown.originMm().y, shown.originMm().z);
-    program.set(gl, "latticeCell", shown.cellMm().x, shown.cellMm().y, shown.cellMm().z);
+  private void bind(GL3 gl, GlProgram program, int unit, String name, Deformation shown) {
+    Vec3 origin = shown.originMm();
+    Vec3 cell = shown.cellMm();
+    program.set(gl, name + "Origin", origin.x, origin.y, origin.z);
+    program.set(gl, name + "Cell", cell.x, cell.y, cell.z);
     program.set(
-        gl, "latticeCells", shown.nodes(0) - 1.0, shown.nodes(1) - 1.0, shown.nodes(2) - 1.0);
-    gl.glActiveTexture(GL.GL_TEXTURE0 + UNIT);
-    gl.glBindTexture(GL2ES2.GL_TEXTURE_3D, texture[0]);
-    if (uploaded != shown) {
-      uploaded = shown;
+        gl, name + "Cells", shown.nodes(0) - 1.0, shown.nodes(1) - 1.0, shown.nodes(2) - 1.0);
+    gl.glActiveTexture(GL.GL_TEXTURE0 + unit);
+    gl.glBindTexture(GL2ES2.GL_TEXTURE_3D, textures[unit - LATTICE]);
+    if (uploaded[unit - LATTICE] != shown) {
+      uploaded[unit - LATTICE] = shown;
       upload(gl, shown);
     }
     gl.glActiveTexture(GL.GL_TEXTURE0);
@@ -84,8 +95,8 @@ final class DeformationTexture {
         Buffers.newDirectFloatBuffer(shown.displacementsMm()));
   }
 
-  /** Releases the texture. */
+  /** Releases the textures. */
   void dispose(GL3 gl) {
-    gl.glDeleteTextures(1, texture, 0);
+    gl.glDeleteTextures(textures.length, textures, 0);
   }
 }

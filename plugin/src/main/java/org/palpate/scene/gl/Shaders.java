@@ -42,9 +42,14 @@ final class Shaders {
       uniform vec3 latticeOrigin;
       uniform vec3 latticeCell;
       uniform vec3 latticeCells;
-      vec3 displacement(vec3 position) {
-        vec3 at = clamp((position - latticeOrigin) / latticeCell, vec3(0), latticeCells);
-        vec3 first = min(floor(at), latticeCells - 1.0);
+      // A box in the lattice with shorter cells.
+      uniform bool windowed;
+      uniform sampler3D windowDisplacements;
+      uniform vec3 windowOrigin;
+      uniform vec3 windowCell;
+      uniform vec3 windowCells;
+      vec3 displacementOf(sampler3D nodes, vec3 at, vec3 cells) {
+        vec3 first = min(floor(at), cells - 1.0);
         vec3 f = at - first;
         ivec3 cell = ivec3(first);
         ivec3 longest = f.x >= f.y && f.x >= f.z ? ivec3(1, 0, 0)
@@ -54,15 +59,28 @@ final class Shaders {
         float high = max(f.x, max(f.y, f.z));
         float low = min(f.x, min(f.y, f.z));
         float middle = f.x + f.y + f.z - high - low;
-        return (1.0 - high) * texelFetch(displacements, cell, 0).xyz
-            + (high - middle) * texelFetch(displacements, cell + longest, 0).xyz
-            + (middle - low) * texelFetch(displacements, cell + 1 - shortest, 0).xyz
-            + low * texelFetch(displacements, cell + 1, 0).xyz;
+        return (1.0 - high) * texelFetch(nodes, cell, 0).xyz
+            + (high - middle) * texelFetch(nodes, cell + longest, 0).xyz
+            + (middle - low) * texelFetch(nodes, cell + 1 - shortest, 0).xyz
+            + low * texelFetch(nodes, cell + 1, 0).xyz;
+      }
+      bool inWindow(vec3 position) {
+        vec3 at = (position - windowOrigin) / windowCell;
+        return windowed && all(greaterThanEqual(at, vec3(0))) && all(lessThanEqual(at, windowCells));
+      }
+      vec3 displacement(vec3 position) {
+        if (inWindow(position)) {
+          vec3 at = (position - windowOrigin) / windowCell;
+          return displacementOf(windowDisplacements, at, windowCells);
+        }
+        vec3 at = clamp((position - latticeOrigin) / latticeCell, vec3(0), latticeCells);
+        return displacementOf(displacements, at, latticeCells);
       }
       vec3 stretched(vec3 position, vec3 axis) {
-        vec3 aside = 0.5 * latticeCell * axis;
+        vec3 cell = inWindow(position) ? windowCell : latticeCell;
+        vec3 aside = 0.5 * cell * axis;
         vec3 difference = displacement(position + aside) - displacement(position - aside);
-        return axis + difference / dot(latticeCell, axis);
+        return axis + difference / dot(cell, axis);
       }
       // The normal times the cofactors of the deformation gradient.
       vec3 deformedNormal(vec3 position, vec3 normal) {

@@ -145,7 +145,7 @@ final class SlicePainter {
   private int pieces(SlicePlanes slices, int axis, Optional<Deformation> deformation) {
     double lengthMm = source.size(axis) * slices.spacingMm().get(axis);
     return deformation
-        .map(moving -> (int) Math.ceil(PIECES_PER_CELL * lengthMm / moving.cellMm().get(axis)))
+        .map(moving -> (int) Math.ceil(PIECES_PER_CELL * lengthMm / moving.shortestCellMm(axis)))
         .orElse(1);
   }
 

@@ -59,6 +59,19 @@ class ElasticOptionsTest {
     assertEquals(finest, usual, "3,000 cells of a voxel or more");
   }
 
+  @Test
+  void aSharpContactHasAWindowOfShorterElements() throws IOException {
+    int whole = bodies(SOFT, "--lattice=4").orElseThrow().get().hexahedra();
+    int wide = bodies(SOFT, "--lattice=4", "--contact-radius=8").orElseThrow().get().hexahedra();
+    int sharp = bodies(SOFT, "--lattice=4", "--contact-radius=4").orElseThrow().get().hexahedra();
+    assertEquals(whole, wide);
+    assertEquals(whole + 12 * 12 * 12, sharp);
+    Given.refuses(
+        "a contact of 1.5 mm needs cells of at most twice its radius: block: change --elastic,"
+            + " --lattice or --contact-radius",
+        () -> bodies(SOFT, "--lattice=4", "--contact-radius=1.5"));
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {
@@ -111,6 +124,9 @@ class ElasticOptionsTest {
     Given.refuses(
         "no segment is elastic: --lattice: add --elastic NAME=young:PA, or leave it out",
         () -> bodies("--lattice=2"));
+    Given.refuses(
+        "no segment is elastic: --contact-radius: add --elastic NAME=young:PA, or leave it out",
+        () -> bodies("--contact-radius=2"));
   }
 
   @ParameterizedTest
@@ -141,6 +157,10 @@ class ElasticOptionsTest {
         "the edge of a cell must be a number from 0.000001 to 1,000,000 mm: --lattice 0: try"
             + " --lattice 1",
         () -> check(tool, volume, "--lattice=0"));
+    Given.refuses(
+        "the radius of a contact must be a number from 0.000001 to 1,000,000 mm: --contact-radius"
+            + " 0: try --contact-radius 1",
+        () -> check(tool, volume, "--contact-radius=0"));
   }
 
   @Test

@@ -71,6 +71,60 @@ class DeformedSceneWindowTest {
     return new Deformation(nodes, ORIGIN_MM, new Vec3(CELL_MM, CELL_MM, CELL_MM), mm);
   }
 
+  /** Returns a deformation with short cells from the second to the last but one node. */
+  private static Deformation windowed(Field outside, Field inside) {
+    int nodes = 2 * (NODES - 3) + 1;
+    double shortMm = CELL_MM / 2;
+    Vec3 origin = position(1, 1, 1);
+    float[] mm = new float[3 * nodes * nodes * nodes];
+    for (int node = 0; node < mm.length / 3; node++) {
+      int layer = node / nodes / nodes;
+      Vec3 rest = new Vec3(node % nodes, node / nodes % nodes, layer).mul(shortMm, new Vec3());
+      rest.add(origin, rest);
+      Vec3 u = inside.at(rest);
+      mm[3 * node] = (float) u.x;
+      mm[3 * node + 1] = (float) u.y;
+      mm[3 * node + 2] = (float) u.z;
+    }
+    Deformation whole = deformation(outside);
+    Deformation window =
+        new Deformation(
+            new int[] {nodes, nodes, nodes}, origin, new Vec3(shortMm, shortMm, shortMm), mm);
+    return new Deformation(
+        new int[] {NODES, NODES, NODES},
+        ORIGIN_MM,
+        new Vec3(CELL_MM, CELL_MM, CELL_MM),
+        whole.displacementsMm(),
+        Optional.of(window));
+  }
+
+  /** The box lies in the window, where the lattice would move it far away. */
+  @Test
+  void inAWindowItsOwnCellsAreDrawn() throws Exception {
+    Field bend = rest -> new Vec3(0, 0.02 * (rest.x - 12) * (rest.x - 12), 0);
+    SceneModel model = model(RigidTransform.identity(), false);
+    picture(model, Optional.empty());
+    model.setMarks(Optional.empty(), Optional.of(windowed(rest -> new Vec3(40, 0, 0), bend)));
+    scene.draw(model.state());
+    int found = 0;
+    for (int x = 100; x < 220; x += 5) {
+      for (int y = 60; y < 180; y += 5) {
+        Optional<PickedPoint> picked = scene.pick(model.state(), x, y);
+        if (picked.isPresent() && Math.abs(picked.get().surfaceMm().x - 12) < 7) {
+          Vec3 seen = picked.get().surfaceMm();
+          double at = (seen.x + 8) / 4;
+          double part = at - Math.floor(at);
+          double low = 4 * Math.floor(at) - 20;
+          double bent = 0.02 * ((1 - part) * low * low + part * (low + 4) * (low + 4));
+          assertEquals(FRONT_MM + bent, seen.y, 0.12, "at " + seen);
+          assertEquals(FRONT_MM, model.state().atRest(seen).y, 0.15);
+          found++;
+        }
+      }
+    }
+    assertTrue(found > 200, "found " + found);
+  }
+
   private static Vec3 position(int i, int j, int k) {
     return new Vec3(CELL_MM * i, CELL_MM * j, CELL_MM * k).add(ORIGIN_MM, new Vec3());
   }

@@ -1,0 +1,324 @@
+package org.palpate.elastic.lattice;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.palpate.volume.BitCube;
+
+/**
+ * A box of shorter cells inside a lattice, which moves with a contact. It is a whole number of
+ * cells of the lattice long, and begins at one of its nodes. {@link LatticeMatter} has the
+ * stiffness of its cells.
+ *
+ * <p>Nodes on the rim of the box are fixed, and as in the lattice those at segments that stand
+ * still. One thread, the one that solves; allocates nothing after construction.
+ */
+public final class WindowLattice {
+  /** The least way from the contact to a side inside the lattice, over the contact's radius. */
+  private static final double REACH = 2;
+
+  /** The window stays while its middle is no farther from the contact than this, whole cells. */
+  private static final double NEAR_CELLS = 0.75;
+
+  private final LatticeLayout whole;
+  private final int factor;
+  private final LatticeLayout layout;
+  private final StillNodes stillNodes;
+  private final ActiveCells cells;
+  private final LatticeMatter matter;
+  private final MultigridPreconditioner preconditioner;
+  private final boolean[] fixed;
+
+  /** The first cell of the whole lattice in the window, along each axis. */
+  private final int[] firstCell = new int[3];
+
+  /** The way of the last move, in cells of the whole lattice. */
+  private final int[] move = new int[3];
+
+  /** The modulus in use over that at rest, of each cell. */
+  private final float[] crushed;
+
+  private final float[] scratch;
+
+  /** By cell of the whole lattice, the stiffness of its parts that was set; null for most. */
+  private final CellStiffness[][] edited;
+
+  /**
+   * Creates a window at the first cells of a lattice.
+   *
+   * @param whole the lattice
+   * @param factor the number of its cells along the edge of a cell of the lattice, 2 or 4
+   * @param radiusMm the radius of the contact
+   * @param segments those that deform
+   * @param still the voxels of those that stand still
+   * @param poisson Poisson's ratio of the segments
+   */
+  WindowLattice(
+      LatticeLayout whole,
+      int factor,
+      double radiusMm,
+      List<ElasticSegment> segments,
+      List<BitCube> still,
+      double poisson) {
+    this.whole = whole;
+    this.factor = factor;
+    int[] size = new int[3];
+    for (int axis = 0; axis < 3; axis++) {
+      int toSide = (int) Math.ceil(REACH * radiusMm / whole.edgeMm(axis) + NEAR_CELLS);
+      size[axis] = Math.min(2 * toSide, whole.cells(axis));
+    }
+    layout = whole.window(size, factor);
+    stillNodes = new StillNodes(layout, copies(still));
+    edited = new CellStiffness[whole.cellCount()][];
+    fixed = new boolean[layout.nodeCount()];
+    fixRim();
+    cells = new ActiveCells(layout, fixed.clone()); // Lists every cell, wherever the window is.
+    matter = new LatticeMatter(cells, segments, poisson);
+    matter.holdEveryFreePart();
+    preconditioner = new MultigridPreconditioner(matter.stiffness(), poisson);
+    crushed = new float[cells.count()];
+    Arrays.fill(crushed, 1);
+    scratch = new float[layout.nodeCount()];
+    take();
+  }
+
+  /** Copies voxels, so that edits do not change which nodes are fixed. */
+  private static List<BitCube> copies(List<BitCube> cubes) {
+    List<BitCube> copies = new ArrayList<>();
+    for (BitCube each : cubes) {
+      copies.add(each.copy());
+    }
+    return copies;
+  }
+
+  private void fixRim() {
+    for (int node = 0; node < fixed.length; node++) {
+      fixed[node] = layout.isOnRim(node);
+    }
+  }
+
+  /**
+   * Moves the window so that a contact stands in its middle, unless it stands near enough.
+   *
+   * @param at the contact, in cells of the whole lattice
+   * @return whether it moved; then {@link #shift} carries vectors along
+   */
+  public boolean moveTo(double[] at) {
+    boolean moved = false;
+    for (int axis = 0; axis < 3; axis++) {
+      int size = layout.cells(axis) / factor;
+      double first = at[axis] - size / 2.0;
+      int next = firstCell[axis];
+      if (!(Math.abs(first - next) <= NEAR_CELLS)) {
+        next = (int) Math.max(0, Math.min(whole.cells(axis) - size, Math.rint(first)));
+      }
+      move[axis] = next - firstCell[axis];
+      firstCell[axis] = next;
+      moved |= move[axis] != 0;
+    }
+    if (moved) {
+      layout.moveTo(whole, firstCell);
+      carryCrushed();
+      for (int cell = 0; cell < cells.count(); cell++) {
+        refillListed(cell);
+      }
+      take();
+    }
+    return moved;
+  }
+
+  /** Takes what stands in the window: the moduli in use, and the nodes that stand still. */
+  private void take() {
+    float[] modulus = matter.stiffness().modulus();
+    for (int cell = 0; cell < modulus.length; cell++) {
+      modulus[cell] = crushed[cell] * matter.restModulus(cell);
+    }
+    fixRim();
+    stillNodes.fix(fixed);
+    cells.fix(fixed);
+    matter.supportsDiffer();
+    matter.stiffness().changed();
+    preconditioner.fixedNodesDiffer();
+  }
+
+  /** Carries along how much stiffer the cells are than at rest. */
+  private void carryCrushed() {
+    float[] modulus = matter.stiffness().modulus();
+    // The rest moduli are still those of the place before.
+    for (int cell = 0; cell < modulus.length; cell++) {
+      scratch[cell] = modulus[cell] / matter.restModulus(cell);
+    }
+    for (int cell = 0; cell < crushed.length; cell++) {
+      int from = from(cell, 0);
+      crushed[cell] = from < 0 ? 1 : scratch[from];
+    }
+  }
+
+  /**
+   * Returns the number before the move of a cell or node, or a negative number if it lay outside.
+   *
+   * @param more how many more nodes than cells there are along an axis, 1 for a node and 0 for a
+   *     cell
+   */
+  private int from(int number, int more) {
+    int nx = layout.cells(0) + more;
+    int ny = layout.cells(1) + more;
+    int nz = layout.cells(2) + more;
+    int x = number % nx + factor * move[0];
+    int y = number / nx % ny + factor * move[1];
+    int z = number / nx / ny + factor * move[2];
+    boolean inside = x >= 0 && y >= 0 && z >= 0 && x < nx && y < ny && z < nz;
+    return inside ? x + nx * (y + ny * z) : -1;
+  }
+
+  /**
+   * Carries a vector along with the last move: each node takes the entries of the node that stood
+   * in its place, and zero if there was none.
+   *
+   * @param vector three numbers for each node, in place
+   */
+  public void shift(float[] vector) {
+    int nodes = scratch.length;
+    for (int axis = 0; axis < 3; axis++) {
+      System.arraycopy(vector, axis * nodes, scratch, 0, nodes);
+      for (int node = 0; node < nodes; node++) {
+        int from = from(node, 1);
+        vector[axis * nodes + node] = from < 0 ? 0 : scratch[from];
+      }
+    }
+  }
+
+  /** Returns the number of short cells in a cell of the whole lattice. */
+  int parts() {
+    return factor * factor * factor;
+  }
+
+  /** Counts the voxels anew in the cells that lie in a cell of the whole lattice. */
+  void refill(int wholeCell) {
+    for (int part = 0; part < parts(); part++) {
+      int listed = listed(wholeCell, part);
+      if (listed >= 0) {
+        matter.refill(listed);
+      }
+    }
+  }
+
+  /** Returns what the voxels of a part of a cell of the whole lattice make; a new object. */
+  CellStiffness stiffnessAt(int wholeCell, int part) {
+    return matter.stiffnessAt(
+        firstVoxel(0, wholeCell, part),
+        firstVoxel(1, wholeCell, part),
+        firstVoxel(2, wholeCell, part));
+  }
+
+  /** Sets the stiffness of a part of a cell of the whole lattice, wherever the window goes. */
+  void refill(int wholeCell, int part, CellStiffness stiffness) {
+    if (edited[wholeCell] == null) {
+      edited[wholeCell] = new CellStiffness[parts()];
+    }
+    edited[wholeCell][part] = stiffness;
+    int listed = listed(wholeCell, part);
+    if (listed >= 0) {
+      matter.refill(listed, stiffness);
+    }
+  }
+
+  private int firstVoxel(int axis, int wholeCell, int part) {
+    int first = whole.firstVoxel(axis, whole.cellIndex(axis, wholeCell));
+    return first + index(axis, part) * layout.voxelsPerCell(axis);
+  }
+
+  /** Returns the index of a part along an axis, in a cell of the whole lattice. */
+  private int index(int axis, int part) {
+    return switch (axis) {
+      case 0 -> part % factor;
+      case 1 -> part / factor % factor;
+      default -> part / factor / factor;
+    };
+  }
+
+  /** Returns the place in the list of a part of a cell of the whole lattice, or -1. */
+  private int listed(int wholeCell, int part) {
+    int x = index(0, wholeCell, part);
+    int y = index(1, wholeCell, part);
+    int z = index(2, wholeCell, part);
+    boolean inside = x >= 0 && y >= 0 && z >= 0 && x < layout.cells(0) && y < layout.cells(1);
+    return inside && z < layout.cells(2) ? cells.indexOf(layout.cell(x, y, z)) : -1;
+  }
+
+  private int index(int axis, int wholeCell, int part) {
+    return factor * (whole.cellIndex(axis, wholeCell) - firstCell[axis]) + index(axis, part);
+  }
+
+  /** Fills a cell of the list by what was set for its place, or else by its voxels. */
+  private void refillListed(int listed) {
+    int cell = cells.cell(listed);
+    int x = layout.cellIndex(0, cell);
+    int y = layout.cellIndex(1, cell);
+    int z = layout.cellIndex(2, cell);
+    int wholeCell =
+        whole.cell(firstCell[0] + x / factor, firstCell[1] + y / factor, firstCell[2] + z / factor);
+    int part = x % factor + factor * (y % factor + factor * (z % factor));
+    if (edited[wholeCell] == null) {
+      matter.refill(listed);
+    } else {
+      matter.refill(listed, edited[wholeCell][part]);
+    }
+  }
+
+  /**
+   * Adds the forces with which springs hold parts without support, if they hold them where another
+   * displacement has them.
+   *
+   * @param displacement three numbers for each node, mm
+   * @param dest three numbers for each node, N; changed in place
+   */
+  public void addHold(float[] displacement, float[] dest) {
+    float[] hold = matter.stiffness().hold();
+    for (int axis = 0; axis < 3; axis++) {
+      int at = axis * hold.length;
+      for (int node = 0; node < hold.length; node++) {
+        dest[at + node] += hold[node] * displacement[at + node];
+      }
+    }
+  }
+
+  /**
+   * {@return the first cell of the whole lattice in the window}
+   *
+   * @param axis 0 for x, 1 for y, 2 for z
+   */
+  public int firstCell(int axis) {
+    return firstCell[axis];
+  }
+
+  /** {@return the number of cells along the edge of a cell of the whole lattice} */
+  public int factor() {
+    return factor;
+  }
+
+  /** {@return the layout; its place in the grid changes with the window} */
+  public LatticeLayout layout() {
+    return layout;
+  }
+
+  /** {@return the matter in the cells} */
+  public LatticeMatter matter() {
+    return matter;
+  }
+
+  /**
+   * Turns the cells with a displacement, so that the stiffness is that of the present shape.
+   *
+   * @param displacement three numbers for each node, mm
+   */
+  public void rotate(float[] displacement) {
+    matter.stiffness().rotate(displacement);
+    preconditioner.refresh(displacement);
+  }
+
+  /** {@return a solver; {@link #rotate} must come before its first solution} */
+  public ConjugateGradients newSolver() {
+    return new ConjugateGradients(matter.stiffness(), preconditioner);
+  }
+}
