@@ -21,6 +21,7 @@ public final class VoxelWriter {
   private final VoxelLog log;
   private final UndoHistory history;
   private final IntBox box = new IntBox();
+  private final IntBox changed = new IntBox();
   private BitCube[] limits = {};
   private VoxelListener voxels = VoxelListener.NONE;
   private ToolPlace tool = ToolPlace.NONE;
@@ -135,6 +136,7 @@ public final class VoxelWriter {
       bits.clear(i, j, k);
     }
     log.note(segment, x, y, z, before, bits.brick(x, y, z));
+    changed.include(i, j, k);
     voxels.changed(segment, i, j, k, solid);
     return true;
   }
@@ -153,9 +155,24 @@ public final class VoxelWriter {
     boxes.applied(segment, changed);
   }
 
+  /**
+   * {@return a box around the voxels of all segments that changed since {@link #clearChanged};
+   * empty if there are none} The writer goes on changing it.
+   */
+  public IntBox changed() {
+    return changed;
+  }
+
+  /** Makes the box of {@link #changed} empty. */
+  public void clearChanged() {
+    changed.clear();
+  }
+
   /** Replaces the cube of a segment, which no history can undo. */
   BitCube replace(int segment, BitCube replacement) {
     history.forget();
+    changed.include(0, 0, 0);
+    changed.include(replacement.sizeX() - 1, replacement.sizeY() - 1, replacement.sizeZ() - 1);
     return scene.replace(segment, replacement);
   }
 
@@ -173,6 +190,7 @@ public final class VoxelWriter {
       box.include(i, j, k);
       voxels.changed(segment, i, j, k, (word >>> bit & 1) != 0);
     }
+    changed.include(box);
     boxes.applied(segment, box);
   }
 }

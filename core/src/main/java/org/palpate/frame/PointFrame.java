@@ -158,9 +158,20 @@ public final class PointFrame extends HapticFrame {
   void applyEdits(int maxVoxels) {
     boolean changed = edits.applyTo(writer, maxVoxels);
     if (changed && placed) {
-      solver.reset();
+      resetAfterEdits();
       freePointFromSolid();
     }
+  }
+
+  /** Makes the solver forget what depends on voxels that changed, or all if none is known. */
+  private void resetAfterEdits() {
+    IntBox voxels = writer.changed();
+    if (voxels.isEmpty()) {
+      solver.reset(); // Grey values may have changed.
+    } else {
+      solver.resetAfterEdit(voxels);
+    }
+    writer.clearChanged();
   }
 
   private void freePointFromSolid() {
@@ -211,7 +222,7 @@ public final class PointFrame extends HapticFrame {
 
   private void carve(Vec3 device) {
     if (carver.carve(point.position, device, pressingNewton(), sinceForceNanos())) {
-      solver.reset();
+      resetAfterEdits();
     }
   }
 

@@ -74,6 +74,44 @@ public final class IntBox {
   }
 
   /**
+   * {@return the low end along an axis}
+   *
+   * @param axis 0 to 2
+   */
+  public int low(int axis) {
+    return axis == 0 ? lowX : axis == 1 ? lowY : lowZ;
+  }
+
+  /**
+   * {@return the high end along an axis}
+   *
+   * @param axis 0 to 2
+   */
+  public int high(int axis) {
+    return axis == 0 ? highX : axis == 1 ? highY : highZ;
+  }
+
+  /**
+   * Sets both ends along an axis.
+   *
+   * @param axis 0 to 2
+   * @param low the lowest cell
+   * @param high the highest cell
+   */
+  public void setRange(int axis, int low, int high) {
+    if (axis == 0) {
+      lowX = low;
+      highX = high;
+    } else if (axis == 1) {
+      lowY = low;
+      highY = high;
+    } else {
+      lowZ = low;
+      highZ = high;
+    }
+  }
+
+  /**
    * {@return whether the box contains the cell}
    *
    * @param i the number of the cell along x

@@ -1,6 +1,7 @@
 package org.palpate.proxy;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.statistics.SkipCounters;
 
@@ -32,6 +33,16 @@ public interface ProxySolver {
    * point was placed by anything but this solver.
    */
   default void reset() {}
+
+  /**
+   * Does the same as {@link #reset} after only the voxels of a box changed. A solver may then keep
+   * what it knows of other voxels; its frames are the same to the bit.
+   *
+   * @param changed a box around the changed voxels, not empty
+   */
+  default void resetAfterEdit(IntBox changed) {
+    reset();
+  }
 
   /**
    * {@return the work of the last frame, in steps of the solver that no machine changes; 0 if the

@@ -7,7 +7,9 @@ import org.palpate.proxy.smooth.field.OccupancyField;
  * Lets the field read voxels where the point will soon be, in frames that have time for it. A hand
  * that meets a surface, or comes to a new part of it, would otherwise wait for a whole window.
  *
- * <p>It changes no answer. Belongs to the haptic thread; allocates nothing.
+ * <p>It changes no answer. The direction therefore outlives a reset of the solver: after an edit
+ * the hand goes on as before, and after a jump it is wrong for an edge of motion. Only the work of
+ * frames depends on it. Belongs to the haptic thread; allocates nothing.
  */
 final class ReadAhead {
   /**

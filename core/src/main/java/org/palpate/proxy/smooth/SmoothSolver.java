@@ -2,6 +2,7 @@ package org.palpate.proxy.smooth;
 
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.ProxySolver;
@@ -118,6 +119,16 @@ public final class SmoothSolver implements ProxySolver {
   @Override
   public void reset() {
     field.forget();
+    resetAllButField();
+  }
+
+  @Override
+  public void resetAfterEdit(IntBox changed) {
+    field.forget(changed);
+    resetAllButField();
+  }
+
+  private void resetAllButField() {
     voxelSolver.reset();
     restRule.reset();
     settledDevice.x = Double.NaN;

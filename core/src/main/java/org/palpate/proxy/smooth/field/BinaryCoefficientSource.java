@@ -3,6 +3,7 @@ package org.palpate.proxy.smooth.field;
 import java.util.Arrays;
 import java.util.List;
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 
 /**
  * Computes the B-spline coefficients of an {@link OccupancyField} from voxels without grey values.
@@ -236,6 +237,12 @@ final class BinaryCoefficientSource implements CoefficientSource {
   public void forget() {
     corrections.forget();
     window.forget();
+  }
+
+  @Override
+  public void forget(IntBox changed) {
+    window.forget(changed);
+    corrections.forget(changed);
   }
 
   @Override

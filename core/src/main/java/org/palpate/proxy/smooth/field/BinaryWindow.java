@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 
 /**
  * A window of 12x12x12 voxels, with two bits each: whether the voxel is solid, and whether it
@@ -87,6 +88,11 @@ final class BinaryWindow {
   /** Forgets the copied bits. */
   void forget() {
     copy.forget();
+  }
+
+  /** Forgets the copied bits that changes reach, see {@link BrickSource#forget(IntBox)}. */
+  void forget(IntBox changed) {
+    copy.forget(changed);
   }
 
   /** Reads the voxels around the grid corner (x,y,z); every empty one counts as reached. */

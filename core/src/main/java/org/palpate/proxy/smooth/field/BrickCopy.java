@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 
 /**
  * A copy of 16x16x16 cells that starts at a multiple of 4, as rows of 16 bits. Windows that move by
@@ -52,6 +53,12 @@ final class BrickCopy {
   void forget() {
     valid = false;
     source.forget();
+  }
+
+  /** Forgets the bits, and those of the source that changes reach, see {@link BrickSource}. */
+  void forget(IntBox changed) {
+    valid = false;
+    source.forget(changed);
   }
 
   /** Makes the copy hold the window from (x,y,z) on, by reading other bricks if it must. */

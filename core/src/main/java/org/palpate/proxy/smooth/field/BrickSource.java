@@ -15,6 +15,9 @@ interface BrickSource {
 
         @Override
         public void forget() {}
+
+        @Override
+        public void forget(IntBox changed) {}
       };
 
   /**
@@ -54,6 +57,13 @@ interface BrickSource {
   void forget();
 
   /**
+   * Forgets the cached bits that depend on changed voxels.
+   *
+   * @param changed the voxels of the scene; receives the cells of this source that they may change
+   */
+  void forget(IntBox changed);
+
+  /**
    * The voxels of a scene. Bricks outside the bounds of the scene are empty, so they are not looked
    * up in its objects.
    */
@@ -81,6 +91,11 @@ interface BrickSource {
 
     @Override
     public void forget() {
+      isKnown = false;
+    }
+
+    @Override
+    public void forget(IntBox changed) {
       isKnown = false;
     }
   }

@@ -1,5 +1,8 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.Arrays;
+import org.palpate.geometry.IntBox;
+
 /**
  * The keys of a direct-mapped cache over three integer coordinates. Coordinates that are equal
  * modulo the edge of the cache share a slot; the one that was set last holds it.
@@ -7,6 +10,9 @@ package org.palpate.proxy.smooth.field;
 final class CacheKeys {
   private static final int LONGS = 2;
   private static final long LOW_INT = 0xFFFF_FFFFL;
+
+  /** The largest box whose keys are forgotten one by one. */
+  private static final int MOST_FORGOTTEN = 4096;
 
   /** The number of bits that hold a coordinate within the cache. */
   private final int shift;
@@ -16,6 +22,7 @@ final class CacheKeys {
   /** For each slot x and y in one word, z and the generation in the next. */
   private final long[] keys;
 
+  /** Counts from 1 how often all keys were forgotten; 0 marks a key that was forgotten alone. */
   private int generation = 1;
 
   /**
@@ -36,7 +43,44 @@ final class CacheKeys {
 
   /** Forgets all keys. */
   void forget() {
+    if (generation == Integer.MAX_VALUE) {
+      Arrays.fill(keys, 0);
+      generation = 0;
+    }
     generation++;
+  }
+
+  /**
+   * Forgets at least the keys of a box; all keys if the box is large. Cost: at most {@link
+   * #MOST_FORGOTTEN} writes.
+   *
+   * @param box the positions, not empty
+   */
+  void forget(IntBox box) {
+    if (isLarge(box)) {
+      forget();
+      return;
+    }
+    for (int z = box.lowZ; z <= box.highZ; z++) {
+      for (int y = box.lowY; y <= box.highY; y++) {
+        for (int x = box.lowX; x <= box.highX; x++) {
+          forget(slot(x, y, z));
+        }
+      }
+    }
+  }
+
+  /** Forgets the key of a slot. */
+  void forget(int slot) {
+    keys[LONGS * slot + 1] = 0;
+  }
+
+  /** Whether a box has too many positions to look at each. */
+  static boolean isLarge(IntBox box) {
+    return (box.highX - box.lowX + 1.0)
+            * (box.highY - box.lowY + 1.0)
+            * (box.highZ - box.lowZ + 1.0)
+        > MOST_FORGOTTEN;
   }
 
   /** Returns the slot for a position. */

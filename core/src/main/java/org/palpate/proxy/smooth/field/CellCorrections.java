@@ -3,6 +3,7 @@ package org.palpate.proxy.smooth.field;
 import java.util.Arrays;
 import java.util.List;
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 
 /**
  * Corrections of a window of bits: the occupancy of each cell less its bit, summed up over each row
@@ -88,6 +89,13 @@ final class CellCorrections {
 
     /** Forgets all corrections. */
     void forget();
+
+    /**
+     * Forgets at least the corrections that depend on changed cells.
+     *
+     * @param cells a box around these cells, not to be changed
+     */
+    void forgetAround(IntBox cells);
   }
 
   /** The corrections of some bricks, each in a slot. */
@@ -182,6 +190,18 @@ final class CellCorrections {
       columns += source.columns();
     }
     return columns;
+  }
+
+  /**
+   * Forgets at least the corrections that depend on changed cells.
+   *
+   * @param cells a box around these cells
+   */
+  void forget(IntBox cells) {
+    isKnown = false;
+    for (Source source : sources) {
+      source.forgetAround(cells);
+    }
   }
 
   /** Reads the corrections of the cells of the window as it was loaded last. */

@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 
 /** A source of the B-spline coefficients of an occupancy field, one at each corner of the grid. */
 interface CoefficientSource {
@@ -25,6 +26,13 @@ interface CoefficientSource {
 
   /** Forgets all cached voxels. */
   void forget();
+
+  /**
+   * Forgets at least what depends on changed voxels.
+   *
+   * @param changed the voxels; left with any content
+   */
+  void forget(IntBox changed);
 
   /** Returns the standard deviation of the smoothing along an axis, in shortest voxel edges. */
   double sigmaEdges(int axis);

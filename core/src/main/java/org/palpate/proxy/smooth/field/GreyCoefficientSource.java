@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 
 /**
  * Makes coefficients from grey values where the bits are what a threshold made of them, and from
@@ -177,6 +178,12 @@ final class GreyCoefficientSource implements CoefficientSource {
   @Override
   public void forget() {
     window.forget();
+    cache.forget();
+  }
+
+  @Override
+  public void forget(IntBox changed) {
+    window.forget(changed);
     cache.forget();
   }
 

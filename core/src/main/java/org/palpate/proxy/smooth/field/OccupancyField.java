@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -66,6 +67,9 @@ public final class OccupancyField {
 
   private final SeedCell lastSeed = new SeedCell();
   private final Vec3 lastPoint = new Vec3();
+
+  /** The changed voxels, then the cells that depend on them: scratch. */
+  private final IntBox changed = new IntBox();
 
   /**
    * Creates a field over any coefficients.
@@ -150,8 +154,10 @@ public final class OccupancyField {
       corrections.add(thin);
     }
     if (interpolatesTerraces && grid.cuts().size() < 2) {
-      BrickSource voxels = thin == null ? new BrickSource.BoundedVoxels() : thin;
-      corrections.add(new Terraces(grid, voxels, window.copy(), edges));
+      corrections.add(
+          thin == null
+              ? Terraces.ofVoxels(window.copy(), edges)
+              : new Terraces(grid, thin, window.copy(), edges));
     }
     return new OccupancyField(
         grid,
@@ -213,6 +219,18 @@ public final class OccupancyField {
   public void forget() {
     loaded = false;
     source.forget();
+    bricksAhead.forget();
+  }
+
+  /**
+   * Forgets what depends on some voxels; to be called after they changed. The answers are the same
+   * as after {@link #forget()}, but what lies beyond their reach need not be made anew.
+   *
+   * @param voxels a box around the changed voxels, not empty
+   */
+  public void forget(IntBox voxels) {
+    loaded = false;
+    source.forget(changed.set(voxels));
     bricksAhead.forget();
   }
 
@@ -455,6 +473,12 @@ public final class OccupancyField {
     public void forget() {
       Arrays.fill(isTaken, false);
       source.forget();
+    }
+
+    @Override
+    public void forget(IntBox changed) {
+      Arrays.fill(isTaken, false);
+      source.forget(changed);
     }
 
     @Override

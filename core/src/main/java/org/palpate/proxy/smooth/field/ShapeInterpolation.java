@@ -73,6 +73,11 @@ final class ShapeInterpolation {
   /** The least length of a terrace whose bend counts, in shortest voxel edges. */
   private final double minBent;
 
+  /** Half the longer edge of a pixel: an outline lies up to that before its pixel's middle. */
+  private final double halfEdge;
+
+  private int decidingPixels;
+
   /**
    * Creates the interpolation between the slices of some voxels.
    *
@@ -88,6 +93,15 @@ final class ShapeInterpolation {
     this.reach = reach;
     outline = new SliceOutline(slices, edges, reach);
     minBent = minBentPixels * outline.longestPixelEdge();
+    halfEdge = 0.5 * outline.longestPixelEdge();
+  }
+
+  /**
+   * Returns how many bricks beside a tile's own along u and v its heights depend on, at most.
+   * Across the slices they depend on the two slices and on the next one on either side.
+   */
+  int reachBricks() {
+    return outline.reachBricks();
   }
 
   /**
@@ -105,13 +119,35 @@ final class ShapeInterpolation {
     outline.measure(brickU, brickV, solidSlice, next, false, columns, inside);
     outline.measure(brickU, brickV, next, next, true, columns, outside);
     measureBeyond(brickU, brickV, solidSlice, step, bentColumns(columns));
+    double farthest = 0;
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
       int u = 4 * brickU + (column & 3);
       int v = 4 * brickV + (column >> 2);
       double height = perVoxel * fraction(u, v, solidSlice, step, column);
       heights[column] = Math.min(perVoxel, height + OVERLAP_CELLS);
+      farthest = Math.max(farthest, farthestOf(column));
     }
+    decidingPixels = farthest < reach ? (int) Math.ceil(farthest + halfEdge) : reachPixels();
+  }
+
+  /** Returns the distance to the farthest outline that a height depends on. */
+  private double farthestOf(int column) {
+    return Math.max(
+        Math.max(inside[column], outside[column]), Math.max(before[column], behind[column]));
+  }
+
+  /**
+   * Returns how many pixels around the tile decided about the heights that were found last: others
+   * beside them, along u or v, may change without changing a height.
+   */
+  int decidingPixels() {
+    return decidingPixels;
+  }
+
+  /** Returns the most that {@link #decidingPixels} may be. */
+  private int reachPixels() {
+    return 4 * outline.reachBricks();
   }
 
   /** Returns the columns whose height depends on the outlines before and behind as well. */

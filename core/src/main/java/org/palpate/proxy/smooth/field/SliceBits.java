@@ -1,6 +1,8 @@
 package org.palpate.proxy.smooth.field;
 
+import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 
 /**
  * A cache of the solid voxels of slices as rows of bits, in coordinates (u,v,w) whose w is the long
@@ -32,15 +34,16 @@ final class SliceBits {
   private final int axis;
   private final long[] rows = new long[4 * LAYERS * EDGE];
 
-  /** The layer that each part of the ring buffer holds, if its generation is the present one. */
+  /** The layer that each part of the ring buffer holds, if it {@link #holdsLayer}. */
   private final int[] layer = new int[LAYERS];
 
-  private final int[] generations = new int[LAYERS];
+  /** Whether each part of the ring buffer holds bits that are valid. */
+  private final boolean[] holdsLayer = new boolean[LAYERS];
+
   private final int[] lowU = new int[LAYERS];
   private final int[] endU = new int[LAYERS];
   private final int[] lowV = new int[LAYERS];
   private final int[] endV = new int[LAYERS];
-  private int generation = 1;
 
   private CollisionScene scene;
 
@@ -52,8 +55,50 @@ final class SliceBits {
 
   /** Forgets all bits. */
   void forget() {
-    generation++;
+    Arrays.fill(holdsLayer, false);
     source.forget();
+  }
+
+  /**
+   * Forgets what changes reach, as its source does.
+   *
+   * @param changed the voxels; receives the cells of the source, see {@link
+   *     BrickSource#forget(IntBox)}
+   */
+  void forget(IntBox changed) {
+    source.forget(changed);
+    forgetRows(changed);
+  }
+
+  /**
+   * Forgets the rows that hold changed cells of the source.
+   *
+   * @param cells a box around these cells
+   */
+  void forgetRows(IntBox cells) {
+    for (int at = 0; at < LAYERS; at++) {
+      boolean meets =
+          isWithin(layer[at], cells, axis)
+              && lowU[at] <= cells.high(axisU()) >> 2
+              && endU[at] > cells.low(axisU()) >> 2
+              && lowV[at] <= cells.high(axisV()) >> 2
+              && endV[at] > cells.low(axisV()) >> 2;
+      holdsLayer[at] &= !meets;
+    }
+  }
+
+  private static boolean isWithin(int brick, IntBox cells, int axis) {
+    return brick >= cells.low(axis) >> 2 && brick <= cells.high(axis) >> 2;
+  }
+
+  /** Returns the axis along which u runs. */
+  int axisU() {
+    return axis == 0 ? 2 : 0;
+  }
+
+  /** Returns the axis along which v runs. */
+  int axisV() {
+    return axis == 1 ? 2 : 1;
   }
 
   /** Sets the scene, the same one since {@link #forget}. */
@@ -126,14 +171,14 @@ final class SliceBits {
     int toU = u + reach + 1;
     int fromV = v - reach;
     int toV = v + reach + 1;
-    boolean holds = generations[at] == generation && layer[at] == w >> 2;
+    boolean holds = holdsLayer[at] && layer[at] == w >> 2;
     if (holds && lowU[at] <= fromU && endU[at] >= toU && lowV[at] <= fromV && endV[at] >= toV) {
       return;
     }
     boolean overlaps =
         holds && lowU[at] <= toU && endU[at] >= fromU && lowV[at] <= toV && endV[at] >= fromV;
     if (!overlaps) {
-      generations[at] = generation;
+      holdsLayer[at] = true;
       layer[at] = w >> 2;
       lowU[at] = endU[at] = fromU;
       lowV[at] = fromV;

@@ -94,6 +94,11 @@ final class SliceOutline {
     return Math.max(searched, lookedAt);
   }
 
+  /** Returns how many bricks beside that of a pixel are read, at most, for its distances. */
+  int reachBricks() {
+    return reachBricks;
+  }
+
   /** Returns the longer edge of a pixel. */
   double longestPixelEdge() {
     return Math.max(edges.u(), edges.v());

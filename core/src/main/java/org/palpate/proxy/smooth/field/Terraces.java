@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -26,6 +27,9 @@ final class Terraces implements CellCorrections.Source {
   /** The cached bricks along each axis, see {@link ThinSlices}. */
   private static final int BRICKS = 32;
 
+  /** The layers on either side of a corrected one on which the correction depends. */
+  private static final int LAYERS_BESIDE_TERRACE = 2;
+
   /** The number of the last column of a tile along u or v. */
   private static final int LAST = 3;
 
@@ -40,8 +44,14 @@ final class Terraces implements CellCorrections.Source {
   private static final long LAYER_Y = 0x000F_000F_000F_000FL;
   private static final long LAYER_Z = 0xFFFFL;
 
+  /** The bits of the cells if nothing else makes them forget, else null. */
+  private final BrickSource bits;
+
   private final BrickCopy copy;
   private final Axis[] axes;
+
+  /** The bricks that changes of cells reach: scratch. */
+  private final IntBox reached = new IntBox();
 
   /** The bricks whose corrections are known, most of which have none. */
   private final CacheKeys keys = new CacheKeys(BRICKS);
@@ -52,13 +62,29 @@ final class Terraces implements CellCorrections.Source {
   private long columns;
 
   /**
+   * Creates the corrections of the voxels of a grid that are not cut.
+   *
+   * @param copy a copy of the bits around the window
+   * @param edges the edges of a voxel, in shortest edges
+   */
+  static Terraces ofVoxels(BrickCopy copy, Vec3 edges) {
+    BrickSource voxels = new BrickSource.BoundedVoxels();
+    return new Terraces(ThinGrid.WHOLE, voxels, voxels, copy, edges);
+  }
+
+  /**
    * Creates the corrections of the cells of a grid.
    *
-   * @param cells their bits
+   * @param cells their bits, which the owner of the copy makes forget
    * @param copy a copy of the bits around the window
    * @param edges the edges of a voxel, in shortest edges
    */
   Terraces(ThinGrid grid, BrickSource cells, BrickCopy copy, Vec3 edges) {
+    this(grid, cells, null, copy, edges);
+  }
+
+  private Terraces(ThinGrid grid, BrickSource cells, BrickSource bits, BrickCopy copy, Vec3 edges) {
+    this.bits = bits;
     this.copy = copy;
     Vec3 cellEdges = grid.cellEdges(edges);
     axes = new Axis[3 - grid.cuts().size()];
@@ -80,6 +106,18 @@ final class Terraces implements CellCorrections.Source {
     keys.forget();
     for (Axis axis : axes) {
       axis.slices.forget();
+    }
+  }
+
+  @Override
+  public void forgetAround(IntBox cells) {
+    if (bits != null) {
+      bits.forget(cells);
+    }
+    for (Axis axis : axes) {
+      axis.slices.forgetRows(cells);
+      axis.setReached(cells, reached);
+      keys.forget(reached);
     }
   }
 
@@ -187,6 +225,16 @@ final class Terraces implements CellCorrections.Source {
       interpolation =
           new ShapeInterpolation(
               slices, PixelEdges.across(number, cellEdges), REACH, 1, NEVER_BENT);
+    }
+
+    /** Sets a box to the bricks whose corrections depend on changed cells. */
+    void setReached(IntBox cells, IntBox dest) {
+      for (int n = 0; n < 3; n++) {
+        int reach = n == number ? 0 : interpolation.reachBricks();
+        int beside = n == number ? LAYERS_BESIDE_TERRACE : 0;
+        dest.setRange(
+            n, ((cells.low(n) - beside) >> 2) - reach, ((cells.high(n) + beside) >> 2) + reach);
+      }
     }
 
     /** Finds the empty and the solid layers of a brick of the copy. */

@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -34,6 +35,11 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
 
   /** The most cells of a pair. */
   private static final int MAX_CELLS = ThinGrid.MAX_PER_VOXEL + 1;
+
+  /**
+   * A pair depends on its slices and the next one on either side: two on each side of its middle.
+   */
+  private static final int SLICES_AROUND_PAIR = 2;
 
   /** The reach of searches for the outline, in bricks, for each cell of a voxel. */
   private static final double REACH_BRICKS_PER_CELL = 2;
@@ -77,6 +83,15 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
 
   /** The occupancy of that cell less its bit, in {@link CellCorrections#FRACTIONS}. */
   private final byte[] columnCorrections = new byte[tileKeys.slots() * COLUMNS];
+
+  /** For each tile, the pixels around it that decided about its columns, at most 127. */
+  private final byte[] decidingPixels = new byte[tileKeys.slots()];
+
+  /** The tiles, at (u,v,pair), that changed voxels may reach: scratch. */
+  private final IntBox reachedTiles = new IntBox();
+
+  /** The bricks that they may reach: scratch. */
+  private final IntBox reachedBricks = new IntBox();
 
   /** The corrections of each brick. */
   private final CellCorrections.Slots slots = new CellCorrections.Slots(brickKeys.slots());
@@ -142,6 +157,79 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     brickKeys.forget();
     tileKeys.forget();
   }
+
+  /**
+   * Tiles that no changed voxel decides about stay. All bricks within reach are put together anew,
+   * from tiles that stayed where possible, because a brick may outlive its tiles in the cache.
+   */
+  @Override
+  public void forget(IntBox changed) {
+    slices.forget(changed);
+    setReached(changed);
+    forgetTiles(changed);
+    brickKeys.forget(reachedBricks);
+    for (int axis = 0; axis < 3; axis++) {
+      changed.setRange(axis, 4 * reachedBricks.low(axis), 4 * reachedBricks.high(axis) + 3);
+    }
+  }
+
+  /** Finds the tiles and the bricks that changed cells of the source may reach. */
+  private void setReached(IntBox changed) {
+    setReachedAcross(0, slices.axisU(), changed);
+    setReachedAcross(1, slices.axisV(), changed);
+    int lowPair = changed.low(cut.axis()) - SLICES_AROUND_PAIR;
+    int highPair = changed.high(cut.axis()) + SLICES_AROUND_PAIR - 1;
+    reachedTiles.setRange(2, lowPair, highPair);
+    int highCell = cut.firstOfPair(highPair + 1) - 1;
+    reachedBricks.setRange(cut.axis(), cut.firstOfPair(lowPair) >> 2, highCell >> 2);
+  }
+
+  /**
+   * Sets the range of tiles and bricks along u or v.
+   *
+   * @param number 0 for u, 1 for v
+   * @param axis the axis along which it runs
+   */
+  private void setReachedAcross(int number, int axis, IntBox changed) {
+    int low = (changed.low(axis) >> 2) - interpolation.reachBricks();
+    int high = (changed.high(axis) >> 2) + interpolation.reachBricks();
+    reachedTiles.setRange(number, low, high);
+    reachedBricks.setRange(axis, low, high);
+  }
+
+  /** Forgets the tiles within reach that depend on changed voxels. */
+  private void forgetTiles(IntBox changed) {
+    if (CacheKeys.isLarge(reachedTiles)) {
+      tileKeys.forget();
+      return;
+    }
+    for (int pair = reachedTiles.lowZ; pair <= reachedTiles.highZ; pair++) {
+      for (int v = reachedTiles.lowY; v <= reachedTiles.highY; v++) {
+        for (int u = reachedTiles.lowX; u <= reachedTiles.highX; u++) {
+          int slot = tileKeys.slot(u, v, pair);
+          if (tileKeys.holds(slot, u, v, pair) && dependsOn(changed, u, v, decidingPixels[slot])) {
+            tileKeys.forget(slot);
+          }
+        }
+      }
+    }
+  }
+
+  /**
+   * Whether a changed cell may decide about a tile.
+   *
+   * @param pixels how many pixels around the tile decide about it
+   */
+  private boolean dependsOn(IntBox changed, int u, int v, int pixels) {
+    return 4 * u - pixels <= changed.high(slices.axisU())
+        && 4 * u + 3 + pixels >= changed.low(slices.axisU())
+        && 4 * v - pixels <= changed.high(slices.axisV())
+        && 4 * v + 3 + pixels >= changed.low(slices.axisV());
+  }
+
+  /** The corrections are forgotten with the cells to which they belong. */
+  @Override
+  public void forgetAround(IntBox cells) {}
 
   @Override
   public long brick(CollisionScene scene, int x, int y, int z) {
@@ -275,6 +363,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     for (int n = 0; n < cells; n++) {
       tiles[MAX_CELLS * slot + n] = (char) (lower & upper);
     }
+    decidingPixels[slot] = 0;
     fillColumns(u, v, pair, 1, lower & ~upper, slot);
     fillColumns(u, v, pair, -1, upper & ~lower, slot);
   }
@@ -293,6 +382,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     int solidSlice = step > 0 ? pair : pair + 1;
     interpolation.findHeights(u, v, solidSlice, step, columns, heights);
     this.columns += Integer.bitCount(columns);
+    decidingPixels[slot] = (byte) Math.max(decidingPixels[slot], interpolation.decidingPixels());
     int first = cut.firstOfPair(pair);
     int cells = cut.firstOfPair(pair + 1) - first;
     for (int n = 0; n < cells; n++) {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 import org.palpate.volume.BitCube;
 
 class BrickCopyTest {
@@ -73,5 +74,8 @@ class BrickCopyTest {
 
     @Override
     public void forget() {}
+
+    @Override
+    public void forget(IntBox changed) {}
   }
 }
