@@ -172,7 +172,7 @@ public final class VolumeSource {
     try {
       return parser.apply(spec);
     } catch (IllegalArgumentException e) {
-      String[] parts = e.getMessage().split(": ");
+      String[] parts = e.getMessage().split(": ", -1);
       throw PalpateException.wrongUse(parts[0], "--phantom " + spec, parts[parts.length - 1], e);
     }
   }
