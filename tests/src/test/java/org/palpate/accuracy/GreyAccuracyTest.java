@@ -64,7 +64,8 @@ class GreyAccuracyTest {
     "3, torus, 0.55, 3, 0.03, 0.02",
     "5, plane, 0.6, 1.4, 0.02, 0.02",
     "5, sphere, 1, 5.6, 0.03, 0.02",
-    "5, torus, 1, 4.6, 0.03, 0.02"
+    "5, torus, 1, 4.6, 0.03, 0.02",
+    "10, plane, 0.4, 0.8, 0.02, 0.03"
   })
   void slicesFartherApartThanPixelsHardlyTiltTheForce(
       double ratio, String shape, double rms, double worst, double heightStd, double lagOff) {

@@ -97,7 +97,8 @@ class SmoothAccuracyTest {
     "5, plane, 0.7, 1.3, 0.03, 0.02",
     "5, sphere, 1.5, 6.5, 0.09, 0.02",
     "5, torus, 3.5, 12.5, 0.25, 0.03",
-    "9, plane, 1.2, 3.5, 0.06, 0.06"
+    "9, plane, 1.2, 3.5, 0.06, 0.06",
+    "10, plane, 1.1, 6, 0.05, 0.07"
   })
   void slicesFartherApartThanPixelsHardlyTiltTheForce(
       double ratio, String shape, double rms, double worst, double heightStd, double lagOff) {

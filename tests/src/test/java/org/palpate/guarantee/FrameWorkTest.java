@@ -38,6 +38,13 @@ class FrameWorkTest {
   private static final int MAX_RATIO_AMONG_EDITED_SLICES = 90;
 
   /**
+   * The same if slices are 9 and 10 pixels apart. The longest path of a frame, three slices, is up
+   * to 30 pixels there, so that windows at its two ends share no columns. With slices up to 3
+   * pixels apart it is 8 or 9 pixels, less than a window is wide.
+   */
+  private static final int MAX_RATIO_AMONG_FAR_SLICES = 54;
+
+  /**
    * The same if voxels are long along two axes. The search of the second cut then reads cells that
    * the first one makes.
    */
@@ -77,7 +84,8 @@ class FrameWorkTest {
     return switch (hand) {
       case WorkStudy.HOSTILE -> MAX_RATIO_OF_HOSTILE;
       case WorkStudy.SLICES -> MAX_RATIO_AMONG_SLICES;
-      case WorkStudy.EDITED_SLICES -> MAX_RATIO_AMONG_EDITED_SLICES;
+      case WorkStudy.FAR_SLICES -> MAX_RATIO_AMONG_FAR_SLICES;
+      case WorkStudy.EDITED_SLICES, WorkStudy.EDITED_FAR_SLICES -> MAX_RATIO_AMONG_EDITED_SLICES;
       case WorkStudy.SLICES_ALONG_TWO_AXES -> MAX_RATIO_ALONG_TWO_AXES;
       case WorkStudy.EDITED_SLICES_ALONG_TWO_AXES -> MAX_RATIO_OF_EDITED_ALONG_TWO_AXES;
       default -> MAX_RATIO_OF_SMOOTH;

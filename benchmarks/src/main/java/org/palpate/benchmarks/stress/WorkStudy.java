@@ -31,6 +31,12 @@ public final class WorkStudy {
   /** The name of hands that jump among such slices while a voxel is edited before each frame. */
   public static final String EDITED_SLICES = "jumps and edits, alternating slices";
 
+  /** The name of hands that jump among alternating slices of very long voxels. */
+  public static final String FAR_SLICES = SLICES + ", 9 and 10 pixels apart";
+
+  /** The name of hands that jump among such slices with edits. */
+  public static final String EDITED_FAR_SLICES = EDITED_SLICES + ", 9 and 10 pixels apart";
+
   /** The name of hands that jump among alternating slices of voxels with two long axes. */
   public static final String SLICES_ALONG_TWO_AXES = SLICES + ", two long axes";
 
@@ -43,12 +49,11 @@ public final class WorkStudy {
 
   /** The edges of the voxels of alternating slices; the shortest is 1. */
   private static final List<Vec3> ONE_LONG_AXIS =
-      List.of(
-          new Vec3(1, 1, 1.5),
-          new Vec3(1, 1, 2),
-          new Vec3(1, 1, 3),
-          new Vec3(1, 1, 5),
-          new Vec3(1, 1, 10));
+      List.of(new Vec3(1, 1, 1.5), new Vec3(1, 1, 2), new Vec3(1, 1, 3), new Vec3(1, 1, 5));
+
+  /** The same for voxels that are cut into cells longer than their pixels. */
+  private static final List<Vec3> ONE_VERY_LONG_AXIS =
+      List.of(new Vec3(1, 1, 9), new Vec3(1, 1, 10));
 
   private static final List<Vec3> TWO_LONG_AXES =
       List.of(new Vec3(1, 2, 2), new Vec3(1, 3, 5), new Vec3(1, 5, 2));
@@ -113,6 +118,8 @@ public final class WorkStudy {
     rows.add(hostile());
     rows.add(slices(SLICES, ONE_LONG_AXIS, false));
     rows.add(slices(EDITED_SLICES, ONE_LONG_AXIS, true));
+    rows.add(slices(FAR_SLICES, ONE_VERY_LONG_AXIS, false));
+    rows.add(slices(EDITED_FAR_SLICES, ONE_VERY_LONG_AXIS, true));
     rows.add(slices(SLICES_ALONG_TWO_AXES, TWO_LONG_AXES, false));
     rows.add(slices(EDITED_SLICES_ALONG_TWO_AXES, TWO_LONG_AXES, true));
     return rows;

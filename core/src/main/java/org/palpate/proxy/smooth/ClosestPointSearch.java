@@ -101,7 +101,7 @@ final class ClosestPointSearch {
     this.units = units;
     this.budget = budget;
     sample = field.sample();
-    double moreOffset = field.level().offsetEdges() - IsoLevel.OFFSET_OF_CUBES_EDGES;
+    double moreOffset = field.level().mostOffsetEdges() - IsoLevel.OFFSET_OF_CUBES_EDGES;
     maxDepthEdges = MAX_DEPTH_EDGES + MAX_DEPTH_GROWTH * moreOffset;
     voxelsPerEdge = new Vec3(1 / units.x(), 1 / units.y(), 1 / units.z());
   }

@@ -49,13 +49,15 @@ final class SurfaceHeight {
       return 0;
     }
     double crowding = 2 * sample.occupancy() / level.occupancy(sample.normal()) - 1;
-    double height = Math.min(level.offsetEdges(), onSurfaceEdges(pathMm));
+    double height = Math.min(level.offsetEdges(sample.normal()), onSurfaceEdges(pathMm));
     return shortestMm * (Math.max(0, Math.min(1, crowding)) * height);
   }
 
   private double onSurfaceEdges(double pathMm) {
-    double max = level.offsetEdges() + FieldSample.MAX_HEIGHT_EDGES;
-    double aboveFlatSolid = level.offsetEdges() + sample.boundedHeightEdges();
+    double aboveIsosurface = sample.boundedHeightEdges(); // finds the normal too
+    double offset = level.offsetEdges(sample.normal());
+    double max = offset + FieldSample.MAX_HEIGHT_EDGES;
+    double aboveFlatSolid = offset + aboveIsosurface;
     updateCurvatureShift(pathMm);
     return Math.max(0, Math.min(max, aboveFlatSolid - curvatureShiftEdges));
   }

@@ -144,7 +144,7 @@ class ClosestPointSearchTest {
   @Test
   void onAPlaneTheResultLiesAboveTheDeviceAtTheOffsetOfTheIsosurface() {
     use(Floor.METRIC, Floor.make().scene);
-    double surface = Floor.TOP + field.level().offsetEdges();
+    double surface = Floor.TOP + field.level().mostOffsetEdges();
     for (double height : new double[] {-0.6, -0.2, 0, 0.3, 0.8}) {
       Vec3 start = new Vec3(16.2, 15.7, surface + height);
       Vec3 device = new Vec3(17.3, 14.9, 6.5);

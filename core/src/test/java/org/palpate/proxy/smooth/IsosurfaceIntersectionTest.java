@@ -98,7 +98,7 @@ class IsosurfaceIntersectionTest {
     use(Floor.METRIC, Floor.make().scene);
     Vec3 from = new Vec3(10, 11, 20);
     Vec3 to = new Vec3(22, 19, Floor.TOP + 0.25);
-    double surface = Floor.TOP + field.level().offsetEdges();
+    double surface = Floor.TOP + field.level().mostOffsetEdges();
     budget.beginFrame();
     double fraction = intersection.find(from, to, 1);
     assertEquals((20 - surface) / (20 - to.z), fraction, 0.003);

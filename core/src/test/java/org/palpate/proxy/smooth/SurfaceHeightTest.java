@@ -45,7 +45,7 @@ class SurfaceHeightTest {
     }
     stand(16.3, 15.6, 28);
     double most = height.onSurfaceMm(100);
-    double offset = field.level().offsetEdges();
+    double offset = field.level().mostOffsetEdges();
     assertTrue(most > offset * edgeMm && most < 3 * edgeMm, "bounded far above: " + most);
   }
 
@@ -104,7 +104,7 @@ class SurfaceHeightTest {
     use(0.5, Floor.bits());
     stand(16.3, 15.6, Floor.TOP + 0.5);
     double low = height.onVoxelsMm(100);
-    assertTrue(low > 0.2 && low <= 0.5 * field.level().offsetEdges(), "near the floor " + low);
+    assertTrue(low > 0.2 && low <= 0.5 * field.level().mostOffsetEdges(), "near the floor " + low);
     BitCube single = new BitCube(32, 32, 32);
     single.set(16, 16, 16);
     use(0.5, single);

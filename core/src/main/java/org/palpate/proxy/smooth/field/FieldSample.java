@@ -168,7 +168,7 @@ public final class FieldSample {
       return isOpen() ? MAX_HEIGHT_EDGES : 0;
     }
     double height = level.heightEdges(occupancy, normal);
-    return Math.max(-level.offsetEdges(), Math.min(MAX_HEIGHT_EDGES, height));
+    return Math.max(-level.offsetEdges(normal), Math.min(MAX_HEIGHT_EDGES, height));
   }
 
   /**

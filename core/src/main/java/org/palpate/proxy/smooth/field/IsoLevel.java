@@ -14,8 +14,8 @@ import org.palpate.geometry.Vec3;
 public final class IsoLevel {
   /**
    * The offset as a fraction of half a voxel's diagonal. Voxels stand out of the surface that they
-   * sample by at most that half, and the isosurface runs just beyond. Only very long voxels may
-   * stand out of it, because the smoothing does not reach that far.
+   * sample by at most that half, and the isosurface runs just beyond. It is nearer along axes where
+   * the smoothing does not reach that far; there voxels stand out less as well.
    */
   private static final double OFFSET_FRACTION = 1.12;
 
@@ -42,15 +42,21 @@ public final class IsoLevel {
   private final boolean isotropic;
   private final double sigma;
   private final double meanVariance;
-  private final double offsetEdges;
+
+  /** The offset of a surface across each axis; between them it follows an ellipsoid. */
+  private final double offsetX;
+
+  private final double offsetY;
+  private final double offsetZ;
+  private final boolean isUniform;
   private final double occupancy;
 
   /**
    * Creates the level for a field's smoothing.
    *
    * @param edges the edges of a voxel along x, y and z, in shortest edges
-   * @param maxDeviations the greatest offset, in standard deviations of the smoothing along the
-   *     axis where it is least; farther out the field would be nearly flat
+   * @param maxDeviations the greatest offset, in standard deviations of the smoothing; farther out
+   *     the field would be nearly flat
    */
   IsoLevel(CoefficientSource source, Vec3 edges, double maxDeviations) {
     varianceX = variance(source.sigmaEdges(0));
@@ -59,19 +65,38 @@ public final class IsoLevel {
     isotropic = varianceX == varianceY && varianceX == varianceZ;
     sigma = Math.sqrt(varianceX);
     meanVariance = (varianceX + varianceY + varianceZ) / (3 * MIDDLE_WIDENING * MIDDLE_WIDENING);
-    double leastVariance = Math.min(varianceX, Math.min(varianceY, varianceZ));
-    offsetEdges =
-        Math.min(OFFSET_FRACTION * edges.length() / 2, maxDeviations * Math.sqrt(leastVariance));
-    occupancy = tail(offsetEdges / sigma);
+    double wanted = OFFSET_FRACTION * edges.length() / 2;
+    offsetX = Math.min(wanted, maxDeviations * Math.sqrt(varianceX));
+    offsetY = Math.min(wanted, maxDeviations * Math.sqrt(varianceY));
+    offsetZ = Math.min(wanted, maxDeviations * Math.sqrt(varianceZ));
+    isUniform = offsetX == offsetY && offsetX == offsetZ;
+    occupancy = tail(offsetX / sigma);
   }
 
   private static double variance(double sigmaEdges) {
     return sigmaEdges * sigmaEdges * MIDDLE_WIDENING * MIDDLE_WIDENING;
   }
 
-  /** {@return the distance of the isosurface from a plane of solid, outside it, in edges} */
-  public double offsetEdges() {
-    return offsetEdges;
+  /**
+   * {@return the greatest distance of the isosurface from a plane of solid, outside it, in edges}
+   */
+  public double mostOffsetEdges() {
+    return Math.max(offsetX, Math.max(offsetY, offsetZ));
+  }
+
+  /**
+   * {@return the distance of the isosurface from a plane of solid, outside it, in edges}
+   *
+   * @param normal the outward unit normal of the plane, along the axes of the grid
+   */
+  public double offsetEdges(Vec3 normal) {
+    if (isUniform) {
+      return offsetX;
+    }
+    double x = offsetX * normal.x;
+    double y = offsetY * normal.y;
+    double z = offsetZ * normal.z;
+    return Math.sqrt(x * x + y * y + z * z);
   }
 
   /**
@@ -80,7 +105,7 @@ public final class IsoLevel {
    * @param normal the outward unit normal, along the axes of the grid
    */
   public double occupancy(Vec3 normal) {
-    return isotropic ? occupancy : tail(offsetEdges / sigma(normal));
+    return isotropic ? occupancy : tail(offsetEdges(normal) / sigma(normal));
   }
 
   /**
@@ -94,7 +119,7 @@ public final class IsoLevel {
     double at = Math.max(0, Math.min(1, occupancyAtPoint)) * TABLE_STEPS;
     int step = Math.min(TABLE_STEPS - 1, (int) at);
     double deviation = DEVIATIONS[step] + (at - step) * (DEVIATIONS[step + 1] - DEVIATIONS[step]);
-    return deviation * sigma(normal) - offsetEdges;
+    return deviation * sigma(normal) - offsetEdges(normal);
   }
 
   /**

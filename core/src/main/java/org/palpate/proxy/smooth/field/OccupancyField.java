@@ -145,7 +145,7 @@ public final class OccupancyField {
   private static OccupancyField ofBits(GridMetric metric, boolean interpolatesTerraces) {
     Vec3 edges = edges(metric);
     ThinGrid grid = ThinGrid.ofBits(edges);
-    SmoothingKernel kernel = SmoothingKernel.forBits(grid.cellEdges(edges));
+    SmoothingKernel kernel = SmoothingKernel.forBits(grid, edges);
     ThinSlices thin = thin(grid, edges);
     BrickSource cells = cells(thin);
     BinaryWindow window = new BinaryWindow(grid, cells);
@@ -176,7 +176,7 @@ public final class OccupancyField {
   public static OccupancyField ofGrey(GridMetric metric, GreyIsosurfaceSource grey) {
     Vec3 edges = edges(metric);
     ThinGrid grid = ThinGrid.ofGrey(edges);
-    SmoothingKernel kernel = SmoothingKernel.forGrey(grid.cellEdges(edges));
+    SmoothingKernel kernel = SmoothingKernel.forGrey(grid, edges);
     BrickSource cells = cells(thin(grid, edges));
     BinaryWindow window = new BinaryWindow(grid, cells);
     return new OccupancyField(

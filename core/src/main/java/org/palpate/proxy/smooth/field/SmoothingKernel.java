@@ -11,7 +11,8 @@ import org.palpate.geometry.Vec3;
  * lattice, which B-splines of other widths leave behind.
  *
  * <p>If the spacing differs between the axes, longer voxels get narrower boxes. The kernel is
- * therefore about equally wide in millimetres along every axis.
+ * therefore about equally wide in millimetres along every axis. Only where very long voxels are cut
+ * into cells that are longer than others, it is as much wider.
  *
  * <p>References: box splines, de Boor, Hoellig and Riemenschneider 1993; normals of digital
  * surfaces by convolution, Esbelin and Malgouyres 2009, and by integral invariants, Coeurjolly,
@@ -35,11 +36,12 @@ final class SmoothingKernel {
   private final double[] sigmaEdges = new double[3];
   private final double scale;
 
-  private SmoothingKernel(Vec3 edges, int widest) {
+  private SmoothingKernel(ThinGrid grid, Vec3 voxelEdges, int widest) {
+    Vec3 edges = grid.cellEdges(voxelEdges);
     double product = 1;
     for (int axis = 0; axis < 3; axis++) {
       double ratio = edges.get(axis);
-      int[] chosen = boxesFor(ratio, widest);
+      int[] chosen = grid.isCut(axis) ? BOXES[widest] : boxesFor(ratio, widest);
       boxes[axis] = chosen;
       taps[axis] = tapsOf(chosen[0], chosen[1]);
       sigmaEdges[axis] = ratio * sigmaVoxels(chosen);
@@ -48,14 +50,14 @@ final class SmoothingKernel {
     scale = 1 / product;
   }
 
-  /** Returns the kernel for the bits of cells with these edges, in shortest voxel edges. */
-  static SmoothingKernel forBits(Vec3 edges) {
-    return new SmoothingKernel(edges, WIDEST_FOR_BITS);
+  /** Returns the kernel for the bits of a grid, given the edges of a voxel in shortest edges. */
+  static SmoothingKernel forBits(ThinGrid grid, Vec3 voxelEdges) {
+    return new SmoothingKernel(grid, voxelEdges, WIDEST_FOR_BITS);
   }
 
-  /** Returns the kernel for the grey values of cells with these edges, in shortest voxel edges. */
-  static SmoothingKernel forGrey(Vec3 edges) {
-    return new SmoothingKernel(edges, WIDEST_FOR_GREY);
+  /** Returns the kernel for the grey values of a grid, given the edges of a voxel. */
+  static SmoothingKernel forGrey(ThinGrid grid, Vec3 voxelEdges) {
+    return new SmoothingKernel(grid, voxelEdges, WIDEST_FOR_GREY);
   }
 
   /** Returns the boxes whose metric width is nearest to that of the widest on the shortest axis. */

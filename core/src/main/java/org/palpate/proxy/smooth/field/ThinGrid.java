@@ -7,14 +7,21 @@ import org.palpate.geometry.Vec3;
 
 /**
  * The grid of cells on which a field is built. Voxels that are long along one or two axes are cut
- * along these, so that cells are about cubes. Otherwise cells are voxels.
+ * along these, so that cells are about cubes, or longer if a voxel is very long. Otherwise cells
+ * are voxels.
  *
  * @param cuts the cuts in the order in which they are made, that of the longest edges first; empty
  *     if cells are voxels
  */
 record ThinGrid(List<AxisCut> cuts) {
-  /** The most cells for each voxel along an axis; longer voxels get longer cells. */
-  static final int MAX_PER_VOXEL = 10;
+  /**
+   * The most cells for each voxel along an axis. Longer voxels get longer cells, over which the
+   * smoothing is wider: the isosurface has to clear half of such a voxel.
+   */
+  static final int MAX_PER_VOXEL = 8;
+
+  /** The same for grey values, whose smoothing is narrower. */
+  private static final int MAX_PER_VOXEL_OF_GREY = 5;
 
   /** Cells that are voxels. */
   static final ThinGrid WHOLE = new ThinGrid(List.of());
@@ -36,18 +43,18 @@ record ThinGrid(List<AxisCut> cuts) {
 
   /** Returns the grid for the bits of voxels with these edges, in shortest edges. */
   static ThinGrid ofBits(Vec3 edges) {
-    return of(edges, MAX_EQUAL_OF_BITS, MAX_SECOND_OF_BITS);
+    return of(edges, MAX_PER_VOXEL, MAX_EQUAL_OF_BITS, MAX_SECOND_OF_BITS);
   }
 
   /** Returns the grid for the grey values of voxels with these edges, in shortest edges. */
   static ThinGrid ofGrey(Vec3 edges) {
-    return of(edges, MAX_EQUAL_OF_GREY, MAX_EQUAL_OF_GREY);
+    return of(edges, MAX_PER_VOXEL_OF_GREY, MAX_EQUAL_OF_GREY, MAX_EQUAL_OF_GREY);
   }
 
-  private static ThinGrid of(Vec3 edges, double maxEqual, double maxSecond) {
+  private static ThinGrid of(Vec3 edges, int mostPerVoxel, double maxEqual, double maxSecond) {
     List<AxisCut> axes = new ArrayList<>();
     for (int axis = 2; axis >= 0; axis--) {
-      axes.add(new AxisCut(axis, Math.min(MAX_PER_VOXEL, edges.get(axis))));
+      axes.add(new AxisCut(axis, Math.min(mostPerVoxel, edges.get(axis))));
     }
     axes.sort(Comparator.comparingDouble(AxisCut::perVoxel).reversed());
     List<AxisCut> cuts = new ArrayList<>();

@@ -112,7 +112,7 @@ class FieldSampleTest {
     SplittableRandom random = new SplittableRandom(Seeds.seed());
     double sum = 0;
     int count = 2_000;
-    double above = field.level().offsetEdges() * METRIC.shortestEdgeMm();
+    double above = field.level().mostOffsetEdges() * METRIC.shortestEdgeMm();
     for (int n = 0; n < count; n++) {
       field.evaluate(seed, nearSurface(random, radiusMm + above));
       assertTrue(field.sample().hasNormal());
@@ -137,7 +137,7 @@ class FieldSampleTest {
       }
     }
     OccupancyField field = field(bits, METRIC);
-    double offset = field.level().offsetEdges();
+    double offset = field.level().mostOffsetEdges();
     seed.set(new Vec3(30, 30, 30));
     for (double edges : new double[] {0.5, 0.8, 1.1, 1.4}) {
       at.set(16.3, 17.6, 15.2);

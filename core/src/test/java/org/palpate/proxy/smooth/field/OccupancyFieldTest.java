@@ -54,7 +54,7 @@ class OccupancyFieldTest {
     fill(bits, (i, j, k) -> k + 0.5 < 10 + (i + 0.5) / 12);
     OccupancyField field = field(new CollisionScene(List.of(bits)), UNIT);
     for (double x = 20; x < 40; x += 0.7) {
-      Vec3 point = new Vec3(x, 30, 10 + x / 12 + field.level().offsetEdges());
+      Vec3 point = new Vec3(x, 30, 10 + x / 12 + field.level().mostOffsetEdges());
       FieldSample sample = field.evaluate(cell(point), point);
       assertTrue(sample.hasNormal());
       assertEquals(-1 / Math.sqrt(145), sample.normal().x, 0.045, "at x=" + x);
@@ -234,7 +234,7 @@ class OccupancyFieldTest {
       }
     }
     OccupancyField field = field(new CollisionScene(List.of(floor)), UNIT);
-    Vec3 point = new Vec3(20.3, 20.4, 20 + field.level().offsetEdges());
+    Vec3 point = new Vec3(20.3, 20.4, 20 + field.level().mostOffsetEdges());
     FieldSample sample = field.evaluate(cell(point), point);
     assertTrue(sample.hasNormal());
     assertEquals(1, sample.normal().z, 1e-9);
@@ -407,5 +407,28 @@ class OccupancyFieldTest {
 
   private double coordinateInPiece() {
     return random.nextInt(25) + 0.6 + 0.8 * random.nextDouble();
+  }
+
+  @Test
+  void onVeryLongVoxelsTheIsosurfaceLiesFartherOutsideWhereItIsParallelToTheSlices() {
+    IsoLevel level = OccupancyField.ofBits(new GridMetric(1, 1, 10)).level();
+    double upright = level.offsetEdges(new Vec3(1, 0, 0));
+    double parallel = level.offsetEdges(new Vec3(0, 0, 1));
+    assertEquals(upright, level.offsetEdges(new Vec3(0, 1, 0)));
+    assertEquals(parallel, level.mostOffsetEdges());
+    assertTrue(
+        parallel > 5 && upright < 5, parallel + " has to clear half a voxel, not " + upright);
+    double last = upright;
+    for (int degrees = 10; degrees <= 90; degrees += 10) {
+      double angle = Math.toRadians(degrees);
+      Vec3 normal = new Vec3(Math.cos(angle), 0, Math.sin(angle));
+      double offset = level.offsetEdges(normal);
+      assertTrue(offset > last, offset + " at " + degrees + " degrees after " + last);
+      assertEquals(0, level.heightEdges(level.occupancy(normal), normal), 1e-9);
+      last = offset;
+    }
+    assertEquals(parallel, last, 1e-9);
+    IsoLevel shorter = OccupancyField.ofBits(new GridMetric(1, 1, 5)).level();
+    assertEquals(shorter.mostOffsetEdges(), shorter.offsetEdges(new Vec3(1, 0, 0)));
   }
 }

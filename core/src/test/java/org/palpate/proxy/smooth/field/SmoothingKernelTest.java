@@ -14,7 +14,7 @@ class SmoothingKernelTest {
 
   @Test
   void tapsOfBitsAreTwoBoxesOfSixAndFiveVoxels() {
-    SmoothingKernel kernel = SmoothingKernel.forBits(CUBES);
+    SmoothingKernel kernel = SmoothingKernel.forBits(ThinGrid.WHOLE, CUBES);
     for (int axis = 0; axis < 3; axis++) {
       assertArrayEquals(new int[] {1, 2, 3, 4, 5, 5, 4, 3, 2, 1}, taps(kernel, axis));
       assertEquals(0, kernel.firstTap(axis));
@@ -24,7 +24,7 @@ class SmoothingKernelTest {
 
   @Test
   void tapsOfGreyValuesAreTwoBoxesOfFourAndThreeVoxels() {
-    SmoothingKernel kernel = SmoothingKernel.forGrey(CUBES);
+    SmoothingKernel kernel = SmoothingKernel.forGrey(ThinGrid.WHOLE, CUBES);
     for (int axis = 0; axis < 3; axis++) {
       assertArrayEquals(new int[] {0, 0, 1, 2, 3, 3, 2, 1, 0, 0}, taps(kernel, axis));
       assertEquals(2, kernel.firstTap(axis));
@@ -48,7 +48,7 @@ class SmoothingKernelTest {
     "9, 2, 1"
   })
   void longerVoxelsGetNarrowerBoxes(double ratio, int wide, int narrow) {
-    SmoothingKernel kernel = SmoothingKernel.forBits(new Vec3(1, ratio, 1));
+    SmoothingKernel kernel = SmoothingKernel.forBits(ThinGrid.WHOLE, new Vec3(1, ratio, 1));
     assertEquals(wide, kernel.wideBox(1));
     assertEquals(narrow, kernel.narrowBox(1));
     assertEquals(6, kernel.wideBox(0));
@@ -63,7 +63,7 @@ class SmoothingKernelTest {
   void theDeviationIsThatOfTheTapsAndTheSpline(double ratio, int axis) {
     Vec3 edges = new Vec3(1, 1, 1);
     edges.set(axis, ratio);
-    SmoothingKernel kernel = SmoothingKernel.forBits(edges);
+    SmoothingKernel kernel = SmoothingKernel.forBits(ThinGrid.WHOLE, edges);
     double weight = 0;
     double moment = 0;
     for (int t = 0; t < SmoothingKernel.TAPS; t++) {

@@ -96,9 +96,10 @@ class ThinSlicesTest {
   }
 
   @Test
-  void slicesFartherApartThanTenPixelsGetThickerCells() {
+  void voxelsThatAreVeryLongGetThickerCells() {
     Vec3 edges = edges(2, 16);
-    assertEquals(10, ThinGrid.ofGrey(edges).perVoxel(2));
+    assertEquals(8, ThinGrid.ofBits(edges).perVoxel(2));
+    assertEquals(5, ThinGrid.ofGrey(edges).perVoxel(2));
     fill((i, j, k) -> i + 3 * k < 120);
     ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
     for (int n = 0; n < RandomCases.of(200); n++) {
