@@ -9,6 +9,7 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
@@ -34,6 +35,24 @@ class TouchCommandTest {
             "0.2");
     assertEquals(0, run.exitCode(), run.err());
     assertTrue(run.err().startsWith("palpate: segment bone has no voxel: phantom"), run.err());
+  }
+
+  @Test
+  void voxelsThatAreTooLongForSmoothAreReported() throws IOException {
+    Path scan = Files.write(folder.resolve("long.raw"), new byte[4096]);
+    String[] volume = {"--volume", scan.toString(), "--raw", "32x32x4:u8:1,1,16"};
+    String note = "palpate: voxels are 16 times as long as wide: " + scan + ": beyond 10 times";
+    List<Object> touch = new ArrayList<>(List.of("touch", "--headless", "--seconds", "0.2"));
+    List<Object> replay = new ArrayList<>(List.of("replay", "--trajectory"));
+    replay.add(TestFiles.trajectory(folder.resolve("t.csv"), 20, 32, 20130701));
+    for (List<Object> command : List.of(touch, replay)) {
+      command.addAll(List.of(volume));
+      command.addAll(List.of("--segment", "bone=>=1"));
+      CommandRun run = CommandRun.of(command.toArray());
+      assertEquals(0, run.exitCode(), run.err());
+      assertTrue(run.err().contains(note), run.err());
+      assertEquals(run.err().indexOf(note), run.err().lastIndexOf(note), "said once");
+    }
   }
 
   @Test

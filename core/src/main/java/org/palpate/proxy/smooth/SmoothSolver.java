@@ -29,6 +29,12 @@ import org.palpate.statistics.SkipCounters;
  */
 public final class SmoothSolver implements ProxySolver {
   /**
+   * The longest edge of a voxel, in shortest edges, over which forces are measured. Beyond it they
+   * are less and less exact, and the isosurface may not clear the voxels.
+   */
+  public static final double MAX_EDGE_RATIO = 10;
+
+  /**
    * The gain beyond the rule that a change from the isosurface to the voxel faces needs, so that
    * frames do not alternate between them.
    */

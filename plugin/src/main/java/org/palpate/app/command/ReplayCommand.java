@@ -249,8 +249,7 @@ public final class ReplayCommand implements Callable<Integer> {
         ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     SegmentedVolume segments =
-        source.segments(
-            spec.commandLine().getErr(), contact.followsGrey(source) || feel.needsGrey());
+        contact.segments(source, spec.commandLine().getErr(), feel.needsGrey());
     EditSchedule edits = edits(segments);
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
@@ -327,8 +326,7 @@ public final class ReplayCommand implements Callable<Integer> {
     Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
     made.notes().forEach(spec.commandLine().getErr()::println);
     SegmentedVolume segments =
-        source.segments(
-            spec.commandLine().getErr(), contact.followsGrey(source) || feel.needsGrey());
+        contact.segments(source, spec.commandLine().getErr(), feel.needsGrey());
     EditSchedule edits = edits(segments);
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());

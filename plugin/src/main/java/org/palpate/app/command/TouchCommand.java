@@ -241,8 +241,7 @@ public final class TouchCommand implements Callable<Integer> {
     printStart(source, choice, made.map(ToolReport::line).orElse("solver " + settings.solver()));
     made.ifPresent(each -> each.notes().forEach(out::println));
     SegmentedVolume segments =
-        source.segments(
-            spec.commandLine().getErr(), contact.followsGrey(source) || feel.needsGrey());
+        contact.segments(source, spec.commandLine().getErr(), feel.needsGrey());
     ContactScene contactScene =
         contact.scene(source, segments, feel.settings(source, segments, tool.massOfHeld()));
     SessionScene scene = SessionScene.of(contactScene, tool, made, judge.device());

@@ -1,5 +1,6 @@
 package org.palpate.app.options;
 
+import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -332,11 +333,24 @@ public final class ContactOptions {
   }
 
   /**
-   * Whether the solver will follow the grey values of a volume.
+   * Reads the segments of a volume that will be touched.
    *
+   * @param err receives notes, a line each
+   * @param keepsGrey whether to keep the grey values even if the solver does not follow them
    * @throws PalpateException exit code 2, if an option is wrong
    */
-  public boolean followsGrey(VolumeSource source) {
+  public SegmentedVolume segments(VolumeSource source, PrintWriter err, boolean keepsGrey)
+      throws VolumeFormatException {
+    SegmentedVolume found = source.segments(err, keepsGrey || followsGrey(source));
+    if (solver() == SolverKind.SMOOTH) {
+      LongVoxels.note(source.name(), found.grids()).ifPresent(err::println);
+      err.flush();
+    }
+    return found;
+  }
+
+  /** Whether the solver will follow the grey values of a volume. */
+  boolean followsGrey(VolumeSource source) {
     return allowsGrey() && source.threshold().isPresent();
   }
 

@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -215,6 +217,52 @@ class ContactOptionsTest {
         "margins are for bodies of one grid that are fixed where they rest: --protect: leave it"
             + " out, or make all bodies of the scene fixed, without poses, from one volume",
         () -> scene(options("--protect=fragment1"), "--phantom=fracture:64:2"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"'1,1,12.5', 12.5", "'40,2,3', 20", "'0.75,9,9', 12"})
+  void voxelsThatAreTooLongForSmoothAreNoted(String spacing, String ratio) throws IOException {
+    VolumeSource source = raw(spacing);
+    assertEquals(
+        "palpate: voxels are "
+            + ratio
+            + " times as long as wide: "
+            + folder.resolve("long.raw")
+            + ": beyond 10 times the force of smooth may be off by tens of degrees; choose a series"
+            + " with thinner slices"
+            + System.lineSeparator(),
+        notes(options(), source));
+    assertEquals("", notes(options("--solver=guarded"), source));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"1,1,1", "1,10,1", "0.5,0.5,5"})
+  void voxelsUpToTenTimesAsLongAsWideAreNotNoted(String spacing) throws IOException {
+    assertEquals("", notes(options(), raw(spacing)));
+  }
+
+  @Test
+  void greyValuesAreKeptIfTheSolverFollowsThemOrTheCallerAsks() throws IOException {
+    String[] grey = {"--phantom=sphere:16:grey", "--segment=s=>=500"};
+    for (boolean keeps : new boolean[] {false, true}) {
+      VolumeSource source = Given.source(grey);
+      options("--smooth-from=bits").segments(source, new PrintWriter(new StringWriter()), keeps);
+      assertEquals(keeps, source.hasGreyValues());
+    }
+    VolumeSource followed = Given.source(grey);
+    options().segments(followed, new PrintWriter(new StringWriter()), false);
+    assertTrue(followed.hasGreyValues());
+  }
+
+  private VolumeSource raw(String spacing) throws IOException {
+    Path file = Files.write(folder.resolve("long.raw"), new byte[] {0, 1, 0, 1, 0, 1, 0, 1});
+    return Given.source("--volume=" + file, "--raw=2x2x2:u8:" + spacing);
+  }
+
+  private static String notes(ContactOptions options, VolumeSource source) throws IOException {
+    StringWriter notes = new StringWriter();
+    options.segments(source, new PrintWriter(notes), false);
+    return notes.toString();
   }
 
   private static ContactScene scene(ContactOptions options, String... volume) throws IOException {
