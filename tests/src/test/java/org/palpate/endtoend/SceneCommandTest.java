@@ -337,7 +337,8 @@ class SceneCommandTest {
         "{\"bodies\":[{\"name\":\"a\"," + same + "},{\"name\":\"b\"," + same + "}]}";
     Path file = Files.writeString(folder.resolve("wrong.json"), overlapping);
     String line = CommandRun.of("replay", "--scene", file, "--trajectory", trajectory).mustRefuse();
-    assertTrue(line.startsWith("palpate: the bodies a and b overlap: --scene: "), line);
+    assertTrue(
+        line.startsWith("palpate: the bodies a and b overlap: --scene " + file + ": "), line);
   }
 
   @Test
