@@ -24,11 +24,24 @@ public record HandStop(
    *     thread that reads the device
    * @param goal the pose at which it belongs; not to be written
    * @param tries the most times that the hand comes to the stop; 0 if it goes on in any case
-   * @param back the number of stops that the hand goes back, one after the other, after a try that
-   *     has failed
+   * @param back the most stops that the hand goes back, at least 1 if there are tries. After tries
+   *     that have failed it goes back by 1, by 2 and so on up to this number, and then by 1 again;
+   *     after the last try it goes back by this number
    * @param otherwise the number of stops from this to the next after the last try has failed
    */
-  public record Aim(Supplier<Pose> seen, Pose goal, int tries, int back, int otherwise) {}
+  public record Aim(Supplier<Pose> seen, Pose goal, int tries, int back, int otherwise) {
+    /**
+     * Checks the numbers.
+     *
+     * @throws IllegalArgumentException if the hand tries again without going back
+     */
+    public Aim {
+      if (tries > 0 && back < 1) {
+        throw new IllegalArgumentException(
+            "a hand that tries again goes back by a stop: tries=" + tries + ", back=" + back);
+      }
+    }
+  }
 
   /**
    * Creates a stop at which the hand corrects nothing.

@@ -1,6 +1,7 @@
 package org.palpate.device;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -142,6 +143,14 @@ class GuidedHandTest {
     List<Double> expected =
         List.of(0.0, 4.0, 6.0, 4.0, 6.0, 4.0, 0.0, 4.0, 6.0, 4.0, 6.0, 4.0, 0.0, -6.0);
     assertEquals(expected, visits(stops));
+  }
+
+  @Test
+  void anAimWithTriesNeedsAStopToGoBackTo() {
+    IllegalArgumentException refusal =
+        assertThrows(
+            IllegalArgumentException.class, () -> new HandStop.Aim(Pose::new, new Pose(), 3, 0, 1));
+    assertTrue(refusal.getMessage().endsWith("tries=3, back=0"), refusal.getMessage());
   }
 
   /** A hand that comes back to a steady stop at once is nearly as steady as it was. */
