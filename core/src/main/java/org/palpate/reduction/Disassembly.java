@@ -20,10 +20,11 @@ import org.palpate.volume.BitCube;
  *
  * <p>A fragment that came out lies where the fracture left it, because a hand that puts it back
  * last has not moved it before. If it would lie in the place of one that is still to come out, it
- * is taken out after that one, or is out of the way if that cannot be.
+ * is taken out after that one, or is taken far away if that cannot be.
  *
- * <p>Taking a fragment out never hinders the others, so it does not matter which of several comes
- * first. If none comes out, the one that came least far is given up and taken away.
+ * <p>The first fragment that comes out is taken out, and no other order is tried. So a fragment may
+ * be hindered by one that now lies where the fracture left it. If none comes out, the one that came
+ * least far is given up and taken away.
  */
 public final class Disassembly {
   /** The most sample points of a fragment at which the start of a pull is sought. */
@@ -92,15 +93,15 @@ public final class Disassembly {
       copies.add(copy);
       starts.add(new Pose().set(body.pose()));
     }
-    BodyScene places = new BodyScene(copies);
+    PullSearch search;
     try {
-      PullSearch search = new PullSearch(places, shapes);
-      Disassembly disassembly = new Disassembly(search, shapes.shapes(), starts, reachMm);
-      disassembly.run();
-      return disassembly.exits;
+      search = new PullSearch(new BodyScene(copies), shapes);
     } catch (RigidScene.BodiesOverlapException e) {
       return none(scene);
     }
+    Disassembly disassembly = new Disassembly(search, shapes.shapes(), starts, reachMm);
+    disassembly.run();
+    return disassembly.exits;
   }
 
   private static List<Exit> none(BodyScene scene) {
@@ -115,33 +116,48 @@ public final class Disassembly {
 
   private void run() {
     while (!left.isEmpty()) {
-      if (!takeOutStraight(false) && !takeOutStraight(true)) {
+      if (!takeOutStraight() && !takeOutOneInTheWay()) {
         takeOutAround();
       }
     }
   }
 
   /**
-   * Takes out each fragment that comes out by a straight pull. Of those that will lie in the place
-   * of another, it takes out only the first.
+   * Takes out each fragment that comes out by a straight pull, and will not lie in the place of
+   * another.
    *
-   * @param inTheWay whether it tries these
    * @return whether a fragment came out
    */
-  private boolean takeOutStraight(boolean inTheWay) {
+  private boolean takeOutStraight() {
     int before = left.size();
     for (int fragment : List.copyOf(left)) {
-      if (inTheWay || !liesInTheWay(fragment)) {
+      if (!liesInTheWay(fragment)) {
         Pulled pulled = pullStraight(fragment);
         if (pulled.isOut()) {
           takeOut(fragment, pulled);
         }
-        if (inTheWay && pulled.isOut()) {
+      }
+    }
+    return left.size() < before;
+  }
+
+  /**
+   * Takes out the first fragment that comes out by a straight pull, of those that will lie in the
+   * place of another.
+   *
+   * @return whether a fragment came out
+   */
+  private boolean takeOutOneInTheWay() {
+    for (int fragment : left) {
+      if (liesInTheWay(fragment)) {
+        Pulled pulled = pullStraight(fragment);
+        if (pulled.isOut()) {
+          takeOut(fragment, pulled);
           return true;
         }
       }
     }
-    return left.size() < before;
+    return false;
   }
 
   private Pulled pullStraight(int fragment) {

@@ -22,8 +22,7 @@ import org.palpate.rigid.tool.ToolSampler;
  * goes together. The rigid solver carries each pull out, so a way consists of verified motions, and
  * a fragment slides along what it meets.
  *
- * <p>A way that is found is a way. That none is found proves nothing. World mm; poses are rest to
- * present. One thread.
+ * <p>If no way is found, there may still be one. World mm; poses are rest to present. One thread.
  *
  * <p>Reference for {@link #around}: S. LaValle, Rapidly-exploring random trees, 1998.
  */

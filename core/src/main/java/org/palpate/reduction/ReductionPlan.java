@@ -71,6 +71,9 @@ public final class ReductionPlan {
    */
   private static final double[] BACK_EDGES = {1, 1.5, 2, 3, 8};
 
+  /** The part of a distance that counts as all of it, because distances of poses are rounded. */
+  private static final double WHOLE = 1 - 1e-9;
+
   /** The distance of a path around the bodies, as a multiple of the radius of their ball. */
   private static final double AROUND = 1.15;
 
@@ -191,7 +194,7 @@ public final class ReductionPlan {
     for (int n = way.size() - 2; n > 0; n--) {
       hold(way.get(n).multiply(startToHand, new Pose()), 0, false);
     }
-    double backMm = BACK_EDGES[BACK_EDGES.length - 1] * bodies.shortestEdgeMm() * (1 - 1e-9);
+    double backMm = BACK_EDGES[BACK_EDGES.length - 1] * bodies.shortestEdgeMm() * WHOLE;
     int back = Ways.stopsTo(backMm, way, shapes.get(fragment));
     Pose there = lead(fragment, truth, startToHand, SETTLE_SECONDS, TRIES, back);
     stops.add(letGo(there, 1 + STOPS_ASIDE));
