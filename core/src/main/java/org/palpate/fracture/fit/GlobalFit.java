@@ -122,7 +122,7 @@ public final class GlobalFit {
   /**
    * Returns the edge of a square for which one point of a surface stands, mm; of all fragments, the
    * longest one. It is the edge of a voxel unless a fragment has so many rim voxels that only some
-   * have a point. A large scan is so searched at a lower resolution.
+   * have a point. So a large scan is searched at a lower resolution.
    */
   private double coarsestEdgeMm() {
     return IntStream.range(0, fragments.size())

@@ -14,10 +14,10 @@ import org.palpate.geometry.Vec3;
  * <p>Reference: Stockman 1987, "Object recognition and localization via pose clustering".
  */
 final class PoseVotes {
-  /** The distance of the centroids of poses that vote for each other, edges. */
+  /** Poses vote for each other only if their centroids are less than this apart, edges. */
   private static final double NEAR_EDGES = 5;
 
-  /** The least angle between poses that do not. */
+  /** Poses vote for each other only if the angle between them is smaller than this. */
   private static final double NEAR_RAD = Math.toRadians(12);
 
   /** The components of a pose in the table: the centroid, the rotation, the score. */

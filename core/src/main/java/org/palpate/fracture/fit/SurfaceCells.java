@@ -9,8 +9,8 @@ import org.palpate.volume.VoxelGrid;
 /**
  * The surface of a fragment at rest in cubic cells. Each cell less than five cells from the surface
  * knows the surface point nearest to its centre, so that a look-up costs two loads. Only bricks of
- * cells that are near the surface are stored, so the memory grows with the surface and not with the
- * box of the fragment. One thread an instance.
+ * cells that are near the surface are stored, so nearly all memory grows with the surface. A
+ * reference for each 512 cells grows with the box of the fragment. One thread an instance.
  */
 final class SurfaceCells {
   /** The distance from the surface up to which cells know a point, cells. */
