@@ -22,7 +22,10 @@ public final class FieldRecorder {
   /** The number of updates: over two minutes at the usual rate. */
   private static final int UPDATES = 1 << 12;
 
-  /** The number of cells: some fifty of the largest edits. */
+  /**
+   * The number of cells: some fifty of the largest edits. With a fine window there are up to 64
+   * short ones for each.
+   */
   private static final int REFILLS = 1 << 16;
 
   private static final int WORDS_AN_UPDATE = 6;

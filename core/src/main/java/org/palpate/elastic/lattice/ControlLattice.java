@@ -217,10 +217,10 @@ public final class ControlLattice {
     }
     if (window.isPresent()) {
       WindowLattice inWindow = window.get();
+      inWindow.refill(edited);
       for (int part = 0; part < inWindow.parts(); part++) {
-        CellStiffness stiffness = inWindow.stiffnessAt(edited, part);
-        inWindow.refill(edited, part, stiffness);
-        sink.take(cells.count() + inWindow.parts() * edited + part, stiffness);
+        int number = cells.count() + inWindow.parts() * edited + part;
+        sink.take(number, inWindow.stiffnessAt(edited, part));
       }
     }
   }

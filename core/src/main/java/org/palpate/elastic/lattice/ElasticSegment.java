@@ -19,4 +19,9 @@ public record ElasticSegment(BitCube bits, ElasticMaterial material, boolean tou
   public ElasticSegment(BitCube bits, ElasticMaterial material) {
     this(bits, material, true);
   }
+
+  /** Returns this segment with voxels of its own, which edits do not change. */
+  ElasticSegment copy() {
+    return new ElasticSegment(bits.copy(), material, touchable);
+  }
 }

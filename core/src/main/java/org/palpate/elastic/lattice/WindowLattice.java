@@ -23,6 +23,13 @@ public final class WindowLattice {
   private final LatticeLayout whole;
   private final int factor;
   private final LatticeLayout layout;
+
+  /** The segments with their present voxels. */
+  private final List<ElasticSegment> segments;
+
+  /** The segments with the voxels that were read last. */
+  private final List<ElasticSegment> counted;
+
   private final StillNodes stillNodes;
   private final ActiveCells cells;
   private final LatticeMatter matter;
@@ -68,12 +75,14 @@ public final class WindowLattice {
       size[axis] = Math.min(2 * toSide, whole.cells(axis));
     }
     layout = whole.window(size, factor);
+    this.segments = List.copyOf(segments);
+    counted = copiesOf(segments);
     stillNodes = new StillNodes(layout, copies(still));
     edited = new CellStiffness[whole.cellCount()][];
     fixed = new boolean[layout.nodeCount()];
     fixRim();
     cells = new ActiveCells(layout, fixed.clone()); // Lists every cell, wherever the window is.
-    matter = new LatticeMatter(cells, segments, poisson);
+    matter = new LatticeMatter(cells, counted, poisson);
     matter.holdEveryFreePart();
     preconditioner = new MultigridPreconditioner(matter.stiffness(), poisson);
     crushed = new float[cells.count()];
@@ -86,6 +95,14 @@ public final class WindowLattice {
   private static List<BitCube> copies(List<BitCube> cubes) {
     List<BitCube> copies = new ArrayList<>();
     for (BitCube each : cubes) {
+      copies.add(each.copy());
+    }
+    return copies;
+  }
+
+  private static List<ElasticSegment> copiesOf(List<ElasticSegment> segments) {
+    List<ElasticSegment> copies = new ArrayList<>();
+    for (ElasticSegment each : segments) {
       copies.add(each.copy());
     }
     return copies;
@@ -193,8 +210,14 @@ public final class WindowLattice {
     return factor * factor * factor;
   }
 
-  /** Counts the voxels anew in the cells that lie in a cell of the whole lattice. */
+  /**
+   * Counts the voxels anew in the cells that lie in a cell of the whole lattice. A move counts what
+   * this has read, and nothing that was edited since. So the updates of a recorded session repeat
+   * to the bit, though a replay may edit voxels before it computes an update that did not see the
+   * edit.
+   */
   void refill(int wholeCell) {
+    readVoxels(wholeCell);
     for (int part = 0; part < parts(); part++) {
       int listed = listed(wholeCell, part);
       if (listed >= 0) {
@@ -203,7 +226,35 @@ public final class WindowLattice {
     }
   }
 
-  /** Returns what the voxels of a part of a cell of the whole lattice make; a new object. */
+  /** Reads the voxels of all segments in a cell of the whole lattice. */
+  private void readVoxels(int wholeCell) {
+    for (int n = 0; n < segments.size(); n++) {
+      readVoxels(segments.get(n).bits(), wholeCell, counted.get(n).bits());
+    }
+  }
+
+  private void readVoxels(BitCube from, int wholeCell, BitCube dest) {
+    int x = firstVoxel(0, wholeCell, 0);
+    int y = firstVoxel(1, wholeCell, 0);
+    int z = firstVoxel(2, wholeCell, 0);
+    for (int k = z; k < z + whole.voxelsPerCell(2); k++) {
+      for (int j = y; j < y + whole.voxelsPerCell(1); j++) {
+        for (int i = x; i < x + whole.voxelsPerCell(0); i++) {
+          boolean solid = from.get(i, j, k);
+          if (solid && !dest.get(i, j, k)) {
+            dest.set(i, j, k);
+          } else if (!solid && dest.get(i, j, k)) {
+            dest.clear(i, j, k);
+          }
+        }
+      }
+    }
+  }
+
+  /**
+   * Returns what the voxels that were read make in a part of a cell of the whole lattice; a new
+   * object.
+   */
   CellStiffness stiffnessAt(int wholeCell, int part) {
     return matter.stiffnessAt(
         firstVoxel(0, wholeCell, part),
@@ -259,10 +310,11 @@ public final class WindowLattice {
     int wholeCell =
         whole.cell(firstCell[0] + x / factor, firstCell[1] + y / factor, firstCell[2] + z / factor);
     int part = x % factor + factor * (y % factor + factor * (z % factor));
-    if (edited[wholeCell] == null) {
+    CellStiffness set = edited[wholeCell] == null ? null : edited[wholeCell][part];
+    if (set == null) {
       matter.refill(listed);
     } else {
-      matter.refill(listed, edited[wholeCell][part]);
+      matter.refill(listed, set);
     }
   }
 

@@ -174,7 +174,7 @@ public final class ElasticOptions {
       throw PalpateException.wrongUse(
           e.getMessage(),
           fields.toString(),
-          "give the scene and --lattice of the session that recorded it",
+          "give the scene, --lattice and --contact-radius of the session that recorded it",
           e);
     }
     return replay.withElastic(bodies, recorded);
