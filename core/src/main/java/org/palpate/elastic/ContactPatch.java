@@ -37,7 +37,8 @@ final class ContactPatch {
     reachMm = REACH * radiusMm;
     int most = 1;
     for (int axis = 0; axis < 3; axis++) {
-      most *= 2 * (int) Math.ceil(reachMm / layout.edgeMm(axis)) + 1;
+      double inReach = 2 * Math.ceil(reachMm / layout.edgeMm(axis)) + 1;
+      most *= (int) Math.min(inReach, layout.cells(axis) + 1);
     }
     nodes = new int[most];
     weights = new float[most];

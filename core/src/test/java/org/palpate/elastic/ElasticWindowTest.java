@@ -192,4 +192,14 @@ class ElasticWindowTest {
     assertTrue(above(8, 16).lattice.window().isEmpty());
     assertTrue(above(8, 20).lattice.window().isEmpty());
   }
+
+  /** The force of a contact that is far larger than the body is spread over all of it. */
+  @Test
+  void aContactMayBeLargerThanTheBody() {
+    ElasticTouch touch = above(8, 1e6);
+    touch.moveTo(38.3, 48.4, 46, 100);
+    assertTrue(touch.frame.forceNewton().z > 0.1, "pushed " + touch.frame.forceNewton());
+    assertEquals(0, touch.body.counters().refused());
+    assertEquals(0, TetrahedraJudge.folded(touch.lattice, touch.body.contact().map()));
+  }
 }
