@@ -1,5 +1,6 @@
 package org.palpate.elastic;
 
+import java.util.Optional;
 import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.elastic.lattice.LatticeLayout;
 import org.palpate.geometry.GridMetric;
@@ -28,6 +29,24 @@ public final class ElasticBodyVariants {
   /** Returns the position along an axis of a node, in cells, as the haptic thread computes it. */
   public static double nodePosition(ElasticBody body, int node, int axis) {
     return body.contact().map().nodePosition(node, axis);
+  }
+
+  /** Returns the layout of the window of the field in use, if it has one; its place is another. */
+  public static Optional<LatticeLayout> windowLayout(ElasticBody body) {
+    DeformationField field = body.contact().map().field();
+    return field.hasWindow() ? Optional.of(field.window.nodes().layout()) : Optional.empty();
+  }
+
+  /** Whether a cell of the lattice lies in the window of the field in use, which must have one. */
+  public static boolean isInWindow(ElasticBody body, int x, int y, int z) {
+    return body.contact().map().field().window.covers(x, y, z);
+  }
+
+  /** Returns the position of a node of the window, in its cells, as {@link #nodePosition}. */
+  public static double windowPosition(ElasticBody body, int node, int axis) {
+    DeformationMap map = body.contact().map();
+    LatticeLayout layout = map.field().window.nodes().layout();
+    return layout.nodeIndex(axis, node) + map.windowDisplacement(node, axis);
   }
 
   /** Writes the present position of a material point, grid coordinates. */

@@ -23,6 +23,7 @@ final class ElasticAttack {
   };
 
   private final SplittableRandom random;
+  private final boolean windowed;
   private final ElasticLegJudge legJudge = new ElasticLegJudge();
   private final TetrahedronJudge fieldJudge = new TetrahedronJudge();
   private final Vec3 start = new Vec3();
@@ -35,9 +36,21 @@ final class ElasticAttack {
   private long scaledBack;
   private long refused;
   private long clipped;
+  private long windowless;
 
+  /** Prepares an attack without windows. */
   ElasticAttack(long seed) {
+    this(seed, false);
+  }
+
+  /**
+   * Prepares an attack.
+   *
+   * @param windowed whether contacts are so sharp that each has a window
+   */
+  ElasticAttack(long seed, boolean windowed) {
     random = new SplittableRandom(seed);
+    this.windowed = windowed;
   }
 
   /** Attacks until so many legs and tetrahedra are judged in all. */
@@ -64,16 +77,22 @@ final class ElasticAttack {
         countOf("updates", updates),
         countOf("updates scaled back", scaledBack),
         countOf("updates refused", refused),
+        countOf("updates without their window", windowless),
+        countOf("judged fields with a window", fieldJudge.windows()),
         countOf("frames with a clipped force", clipped),
         countOf("points set free", freed));
   }
 
-  private static RigidFigure noneOf(String name, long count) {
-    return new RigidFigure("attack", "hostile frames", name, (double) count, "", 0);
+  private RigidFigure noneOf(String name, long count) {
+    return new RigidFigure("attack", condition(), name, (double) count, "", 0);
   }
 
-  private static RigidFigure countOf(String name, long count) {
-    return RigidFigure.of("attack", "hostile frames", name, (double) count, "");
+  private RigidFigure countOf(String name, long count) {
+    return RigidFigure.of("attack", condition(), name, (double) count, "");
+  }
+
+  private String condition() {
+    return windowed ? "hostile frames, contacts in a window" : "hostile frames";
   }
 
   private void attack(UpdatePace pace) {
@@ -85,10 +104,10 @@ final class ElasticAttack {
             Math.pow(10, 3 + 2.5 * random.nextDouble()),
             Math.pow(2, -2 + 4 * random.nextDouble()),
             cell,
-            2 * cell,
+            windowed ? sharpRadiusMm(scene.metric(), cell) : 2 * cell,
             1e-3,
             random.nextBoolean());
-    ElasticSession session = new ElasticSession(scene, softness);
+    ElasticSession session = new ElasticSession(scene, softness, windowed);
     boolean edits = random.nextInt(3) > 0;
     session.hand().set(scene.soft().sizeX() / 2.0 + 0.3, scene.soft().sizeY() / 2.0 + 0.4, -2);
     session.run();
@@ -112,6 +131,17 @@ final class ElasticAttack {
     scaledBack += session.body().counters().scaledBack();
     refused += session.body().counters().refused();
     clipped += session.body().contact().clippedFrames();
+    windowless += session.body().counters().windowless();
+  }
+
+  /**
+   * Returns a radius for which a window has cells of half or a quarter of the edge. Cells are whole
+   * voxels long, so it is at least two voxels, and a quarter needs up to a voxel more.
+   */
+  private double sharpRadiusMm(GridMetric metric, double cellMm) {
+    double voxelMm = Math.max(metric.spacingX(), Math.max(metric.spacingY(), metric.spacingZ()));
+    double wanted = random.nextBoolean() ? cellMm : cellMm / 2 + voxelMm;
+    return Math.max(2 * voxelMm, wanted);
   }
 
   private SoftScene scene() {

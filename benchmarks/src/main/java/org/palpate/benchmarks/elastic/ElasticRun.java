@@ -78,6 +78,10 @@ public final class ElasticRun {
       attack.attack(UpdatePace.RARE, 10_000_000, 100_000_000);
     }
     add(attack.figures());
+    progress.accept("attack of contacts in a window");
+    ElasticAttack sharp = new ElasticAttack(seed, true);
+    sharp.attack(UpdatePace.USUAL, quick ? 10_000 : 50_000, 1_000_000);
+    add(sharp.figures());
   }
 
   private void add(List<RigidFigure> more) {

@@ -1,6 +1,7 @@
 package org.palpate.benchmarks.elastic;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import org.palpate.collision.CollisionScene;
 import org.palpate.edit.EditQueue;
 import org.palpate.elastic.ElasticBody;
@@ -37,7 +38,17 @@ final class ElasticSession {
   private final PointFrame frame;
   private int frames;
 
+  /** Creates a session without a window, however small the radius of the contact is. */
   ElasticSession(SoftScene scene, Softness softness) {
+    this(scene, softness, false);
+  }
+
+  /**
+   * Creates a session.
+   *
+   * @param windowed whether a window follows the contact if its radius is less than two cells
+   */
+  ElasticSession(SoftScene scene, Softness softness, boolean windowed) {
     GridMetric metric = scene.metric();
     ElasticMaterial material = new ElasticMaterial(softness.youngPascal(), POISSON);
     ControlLattice lattice =
@@ -45,7 +56,8 @@ final class ElasticSession {
             metric,
             List.of(new ElasticSegment(scene.soft(), material)),
             List.of(scene.still()),
-            softness.cellMm());
+            softness.cellMm(),
+            windowed ? OptionalDouble.of(softness.radiusMm()) : OptionalDouble.empty());
     body = ElasticBodyVariants.body(lattice, metric, softness.radiusMm(), softness.residual());
     updates = new SynchronousUpdates(body);
     edits =

@@ -1,6 +1,7 @@
 package org.palpate.benchmarks.elastic;
 
 import java.math.BigDecimal;
+import java.util.Optional;
 import org.palpate.elastic.ElasticBody;
 import org.palpate.elastic.ElasticBodyVariants;
 import org.palpate.elastic.lattice.LatticeLayout;
@@ -24,23 +25,57 @@ final class TetrahedronJudge {
   private long judged;
   private long notPositive;
   private long exactDecisions;
+  private long windows;
 
-  /** Judges all cells of the lattice, as the haptic thread would use them now. */
+  /**
+   * Judges all cells of the lattice, as the haptic thread would use them now. Those of a window
+   * take the place of the ones under it.
+   */
   void judge(ElasticBody body) {
-    LatticeLayout layout = ElasticBodyVariants.layout(body);
+    Optional<LatticeLayout> window = ElasticBodyVariants.windowLayout(body);
+    judge(
+        ElasticBodyVariants.layout(body),
+        (x, y, z) -> window.isEmpty() || !ElasticBodyVariants.isInWindow(body, x, y, z),
+        (node, axis) -> ElasticBodyVariants.nodePosition(body, node, axis));
+    if (window.isPresent()) {
+      windows++;
+      judge(
+          window.get(),
+          (x, y, z) -> true,
+          (node, axis) -> ElasticBodyVariants.windowPosition(body, node, axis));
+    }
+  }
+
+  /** Chooses cells. */
+  private interface Choice {
+    boolean takes(int x, int y, int z);
+  }
+
+  /** The present position of a node along an axis, in cells. */
+  private interface Present {
+    double of(int node, int axis);
+  }
+
+  private void judge(LatticeLayout layout, Choice choice, Present present) {
     for (int z = 0; z < layout.cells(2); z++) {
       for (int y = 0; y < layout.cells(1); y++) {
         for (int x = 0; x < layout.cells(0); x++) {
-          for (int n = 0; n < corner.length; n++) {
-            int node = layout.node(x + (n & 1), y + (n >> 1 & 1), z + (n >> 2));
-            for (int axis = 0; axis < 3; axis++) {
-              corner[n][axis] = ElasticBodyVariants.nodePosition(body, node, axis);
-            }
+          if (choice.takes(x, y, z)) {
+            judge(layout, present, x, y, z);
           }
-          judge(corner);
         }
       }
     }
+  }
+
+  private void judge(LatticeLayout layout, Present present, int x, int y, int z) {
+    for (int n = 0; n < corner.length; n++) {
+      int node = layout.node(x + (n & 1), y + (n >> 1 & 1), z + (n >> 2));
+      for (int axis = 0; axis < 3; axis++) {
+        corner[n][axis] = present.of(node, axis);
+      }
+    }
+    judge(corner);
   }
 
   /** Judges the tetrahedra of a cell with these corners. */
@@ -104,6 +139,11 @@ final class TetrahedronJudge {
 
   long notPositive() {
     return notPositive;
+  }
+
+  /** Returns how many of the judged deformations had a window. */
+  long windows() {
+    return windows;
   }
 
   /** Returns how often doubles did not suffice. */

@@ -33,6 +33,16 @@ class ElasticStudiesTest {
   }
 
   @Test
+  void theAttackOfContactsInAWindowFindsNothing() {
+    ElasticAttack attack = new ElasticAttack(SEED, true);
+    attack.attack(UpdatePace.USUAL, 1_000, 200_000);
+    List<RigidFigure> figures = attack.figures();
+    figures.forEach(figure -> assertTrue(!figure.verdict().equals("missed"), figure.toString()));
+    double judged = value(figures, "contacts in a window", "judged fields with a window");
+    assertTrue(judged > 10, "judged " + judged);
+  }
+
+  @Test
   void beamsBendAsTheFormulaSays() {
     List<RigidFigure> figures = new FormulaStudy(true).figures();
     String figure = "cantilever 96x16x16, off the formula";

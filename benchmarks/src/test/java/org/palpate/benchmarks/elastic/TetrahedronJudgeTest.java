@@ -178,4 +178,24 @@ class TetrahedronJudgeTest {
     }
     assertTrue(moved > 0.05, "the hand presses: " + moved + " of a cell");
   }
+
+  @Test
+  void judgesTheCellsOfAWindowInsteadOfThoseUnderIt() {
+    ElasticSession session =
+        new ElasticSession(SoftScene.block(), Softness.USUAL.withCells(8, 8), true);
+    session.hand().set(48.3, 48.4, 52);
+    session.moveTo(48.3, 48.4, 44, 200);
+    LatticeLayout layout = ElasticBodyVariants.layout(session.body());
+    LatticeLayout window = ElasticBodyVariants.windowLayout(session.body()).orElseThrow();
+    long cells = (long) layout.cells(0) * layout.cells(1) * layout.cells(2);
+    long inWindow = (long) window.cells(0) * window.cells(1) * window.cells(2);
+    TetrahedronJudge judge = new TetrahedronJudge();
+    judge.judge(session.body());
+    assertEquals(6 * (cells - inWindow / 8 + inWindow), judge.judged());
+    assertEquals(0, judge.notPositive());
+    assertEquals(1, judge.windows());
+    int middle = window.node(window.cells(0) / 2, window.cells(1) / 2, window.cells(2) / 2);
+    double at = ElasticBodyVariants.windowPosition(session.body(), middle, 2);
+    assertTrue(at < window.nodeIndex(2, middle) - 0.1, "displaced to " + at);
+  }
 }
