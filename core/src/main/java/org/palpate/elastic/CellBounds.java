@@ -9,8 +9,8 @@ import org.palpate.elastic.lattice.LatticeLayout;
  * only at cells for which these do not suffice.
  *
  * <p>A tetrahedron has one edge along each axis. So the sum over the axes, each with the largest
- * square of the four edges of its cell, bounds the sum over its own edges. Squares are sums of
- * positive floats of exact differences, rounded by less than 1e-5 of them.
+ * square of the four edges of its cell, bounds the sum over its own edges. Only positive floats are
+ * added, the squares of differences, so a bound is rounded by less than 1e-5 of itself.
  *
  * <p>All loops have one index for all arrays, so that the compiler makes vector code; edges are
  * copied for that. One thread; allocates nothing after construction.

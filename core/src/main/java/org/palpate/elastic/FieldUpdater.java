@@ -221,8 +221,11 @@ final class FieldUpdater {
   private boolean proveWithoutWindow(DeformationField field) {
     field.window.present = false;
     restartWindow();
-    counters.countWindowless();
-    return prove(field);
+    boolean proved = prove(field);
+    if (proved) {
+      counters.countWindowless();
+    }
+    return proved;
   }
 
   private void restartWindow() {

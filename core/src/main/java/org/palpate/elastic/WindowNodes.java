@@ -14,8 +14,6 @@ final class WindowNodes {
   /** The nodes of a tetrahedron. */
   private static final int AROUND = 4;
 
-  /** */
-
   /** Values of this exponent or less count as zero. */
   private static final int LEAST_EXPONENT = -100;
 
@@ -132,7 +130,7 @@ final class WindowNodes {
   }
 
   /**
-   * Rounds the values of a field of the whole lattice, by at most 2^-23 of the largest one of their
+   * Rounds the values of a field of the whole lattice, by at most 2^-22 of the largest one of their
    * kind, so that those of the window between them are floats.
    */
   static void round(float[] values) {
