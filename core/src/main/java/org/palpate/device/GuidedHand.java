@@ -12,8 +12,9 @@ import org.palpate.geometry.Vec3;
  *
  * <p>At a stop with an aim it also looks at what it moves, and shifts and turns the device until
  * that thing is at its goal, as a person does by eye. It keeps this correction of its grip until it
- * lets go. An aim may have a number of tries. If the thing is not at its goal then, the hand goes
- * back by some stops and comes again. After the last try it goes on from there to another stop.
+ * lets go. An aim may have a number of tries. If the thing is not at its goal when the hand leaves
+ * the stop, the hand goes back by some stops and comes again. After the last try it goes on to
+ * another stop instead.
  *
  * <p>Each read is the next sample. The motion depends on the stops, on what is seen and on the
  * number of reads, never on a clock or on forces. A session can therefore be repeated. Haptic
@@ -87,7 +88,7 @@ public final class GuidedHand implements HapticDevice {
   /** The stop to which it goes from there. */
   private int afterBack;
 
-  /** The fraction of the tremor. */
+  /** The present size of the tremor over its full size. */
   private double shakiness = 1;
 
   private double arrivalSeconds;

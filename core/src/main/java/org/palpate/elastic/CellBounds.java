@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.palpate.elastic.lattice.LatticeLayout;
 
 /**
- * Quick bounds for all cells of a field at once: how far the edges of a tetrahedron are from their
- * edges at rest, and how far the answers to unit forces move them. {@link RoomProof} looks closely
- * only at cells for which these do not suffice.
+ * Quick bounds for all cells of a field at once: how far the edges of a tetrahedron are from those
+ * at rest, and how far the answers to unit forces move them. {@link RoomProof} looks closely only
+ * at cells for which these bounds do not suffice.
  *
  * <p>A tetrahedron has one edge along each axis. So the sum over the axes, each with the largest
  * square of the four edges of its cell, bounds the sum over its own edges. Only positive floats are
@@ -24,7 +24,7 @@ final class CellBounds {
   private final float[] edges;
   private final float[] answerEdges;
 
-  /** By the first node of a cell. */
+  /** The bound that {@link #squaredDeviation} returns, by the first node of a cell. */
   private final float[] deviations;
 
   private final float[] answers;
@@ -61,7 +61,7 @@ final class CellBounds {
 
   /**
    * Returns the square of a bound of |F - F0| for each tetrahedron of a cell, where F has its edges
-   * as columns, and F0 those at rest, in cells; NaN if a displacement is.
+   * as columns, and F0 those at rest, in cells; NaN if a displacement is NaN.
    */
   double squaredDeviation(int firstNode) {
     return deviations[firstNode];

@@ -67,15 +67,14 @@ final class DeformationField {
     room.set(other.room);
   }
 
-  /** Whether the cells of the window count around the contact. */
+  /** Whether the cells of the window take the place of those of the lattice. */
   boolean hasWindow() {
     return window != null && window.present;
   }
 
   /**
    * Takes the values and the place of the field before. Its displacement changes by its answers to
-   * the force of this one; so call it after {@link #baseNewton} is set, and the place of the
-   * window.
+   * the force of this one. Call it after {@link #baseNewton} and the place of the window are set.
    */
   void takeEarlier(DeformationField before) {
     earlierPlace.set(before.place);
@@ -271,7 +270,7 @@ final class DeformationField {
       }
     }
 
-    /** Returns the number in another window of a node, or a negative number if not inside it. */
+    /** Returns the number that a node has in another window, negative if it is not inside that. */
     private int innerNode(Window other, int node) {
       int x = inOther(other, 0, node);
       int y = inOther(other, 1, node);

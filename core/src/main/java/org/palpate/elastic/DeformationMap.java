@@ -23,7 +23,7 @@ final class DeformationMap {
   /** The window; null if the lattice never has one. */
   private final Region window;
 
-  /** The one of both with the tetrahedron in use. */
+  /** The lattice or the window: the one that has the tetrahedron in use. */
   private Region region;
 
   private DeformationField field;
@@ -163,7 +163,7 @@ final class DeformationMap {
     return KuhnTetrahedra.find(at, region.cells, cell, order, along);
   }
 
-  /** Takes a position in cells of the region in use. */
+  /** Converts a position to cells of the region in use. */
   private void locate(Vec3 position) {
     for (int axis = 0; axis < 3; axis++) {
       at[axis] = region.toCells(axis, position.get(axis));
@@ -306,8 +306,8 @@ final class DeformationMap {
   }
 
   /**
-   * Goes through the side of the window to the tetrahedron beyond, there where the position along
-   * the edges is nearest to.
+   * Goes through the side of the window to the tetrahedron beyond it, at the position along the
+   * edges, clamped to the present cell.
    *
    * @return false if there is no cell beyond
    */

@@ -23,13 +23,13 @@ final class FieldUpdater {
 
   private static final double REACH_PER_LOAD = 2.5;
 
-  /** A field is not blended with the one before if their places are nearer than this, cells. */
+  /** A field is not blended with the one before if their places are nearer, shortest cells. */
   private static final double LEAST_SLIDE_CELLS = 0.02;
 
-  /** Nor is it blended if their places are farther apart than this, cells. */
+  /** Nor is it blended if their places are farther apart than this, shortest cells. */
   private static final double LONGEST_SLIDE_CELLS = 1;
 
-  /** The longest distance on a slide between two places at which the proof looks, cells. */
+  /** The longest distance between two places on a slide that the proof looks at, shortest cells. */
   private static final double SLIDE_INTERVAL_CELLS = 0.25;
 
   /** A displacement whose length over all nodes is shorter counts as none, mm. */

@@ -44,7 +44,7 @@ class LatticeSolution {
   /**
    * Creates a solution at rest.
    *
-   * @param solver of the stiffness of the matter
+   * @param solver solves for the stiffness of the matter
    * @param radiusMm the radius over which the force is spread
    */
   LatticeSolution(LatticeMatter matter, ConjugateGradients solver, double radiusMm) {
@@ -105,7 +105,7 @@ class LatticeSolution {
     return guard.unfold(displacement(), proved);
   }
 
-  /** Makes cells stiffer that the last {@link #unfold} found crushed. */
+  /** Stiffens the cells that the last {@link #unfold} found crushed. */
   final void stiffen() {
     stiffening.update(guard.determinants());
   }
@@ -162,7 +162,7 @@ class LatticeSolution {
   /** Adds the forces of springs that hold nodes elsewhere than at rest. */
   void addHold(int n, float[] dest) {}
 
-  /** Solves for the residual. It first goes on along the last change, as a sliding contact does. */
+  /** Solves until little is unbalanced; begins along the last change, as a slide mostly goes on. */
   private void solve(int n, double goalNewton, int mostSteps) {
     float[] solution = solutions[n];
     float[] change = changes[n];

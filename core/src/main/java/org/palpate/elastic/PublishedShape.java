@@ -71,7 +71,10 @@ public final class PublishedShape {
     return layout;
   }
 
-  /** {@return the layout of the window, if the shape has one now} Its place is another one. */
+  /**
+   * {@return the layout of the window, if the shape has one now} Its place in the grid is not that
+   * of this shape; {@link #windowOrigin} writes that.
+   */
   public Optional<LatticeLayout> windowLayout() {
     return map.field().hasWindow()
         ? Optional.of(map.field().window.nodes().layout())

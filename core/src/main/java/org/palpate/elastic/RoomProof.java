@@ -59,7 +59,7 @@ final class RoomProof {
   /** The cells of the window; null if the lattice never has one. */
   private final Region window;
 
-  /** The one of both with the cell that is being looked at. */
+  /** The cells of the lattice or of the window, of which one is being looked at. */
   private ActiveCells cells;
 
   private CellBounds bounds;

@@ -17,7 +17,7 @@ final class SlideForecast {
   /** The frames of a millisecond over which the motion is averaged. */
   private static final int MEAN_FRAMES = 16;
 
-  /** The longest way ahead, cells. */
+  /** The longest distance ahead, shortest cells. */
   private static final double MOST_CELLS = 1;
 
   private final LatticeLayout layout;

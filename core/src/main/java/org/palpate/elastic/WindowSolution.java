@@ -21,7 +21,7 @@ final class WindowSolution extends LatticeSolution {
   /** The solutions of the whole lattice, at the nodes of the window. */
   private final float[][] base = new float[DISPLACEMENT + 1][];
 
-  /** The solutions of the window less those. */
+  /** The solutions of the window minus {@link #base}. */
   private final float[][] added = new float[DISPLACEMENT + 1][];
 
   private final double[] at = new double[3];
@@ -91,7 +91,7 @@ final class WindowSolution extends LatticeSolution {
     return left;
   }
 
-  /** Changes what the window adds to the displacement by its answers to the change of the force. */
+  /** Adds to what the window adds to the displacement: its answers to the change of the force. */
   private void predict(double[] forceNewton, double[] changeNewton) {
     boolean isLoaded = forceNewton[0] != 0 || forceNewton[1] != 0 || forceNewton[2] != 0;
     for (int axis = 0; axis < 3 && isLoaded; axis++) {

@@ -22,7 +22,8 @@ public interface ProxySolver {
    * Runs one frame: moves the point towards the device by at most w_max, and writes the legs and
    * the contact of this frame. Staying is always allowed.
    *
-   * @param scene the solids of this frame; if they changed, {@link #reset} was called first
+   * @param scene the solids of this frame; if they changed, {@link #reset} or {@link
+   *     #resetAfterEdit} was called first
    * @param device the device position in grid coordinates, finite; not changed
    * @param point the point to move; it touches no solid when the frame begins
    */

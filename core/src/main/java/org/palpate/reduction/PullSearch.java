@@ -41,15 +41,16 @@ public final class PullSearch {
 
   private static final double SHAKEN_PROGRESS_EDGES = 0.05;
 
-  /** The motion of the hand in a frame of a shaken pull, and how far it shakes, edges. */
+  /** The motion of the hand in a frame of a shaken pull, edges. */
   private static final double ADVANCE_EDGES = 0.14;
 
+  /** The largest distance by which it shakes from there, edges. */
   private static final double SHAKE_EDGES = 0.4;
 
   /** The length of a shaken pull that leads all the way out, edges. */
   private static final double LONGEST_SHAKEN_EDGES = 14;
 
-  /** Poses of the tree are at least so far apart in the kinetic metric, edges. */
+  /** The least distance of two poses that are kept, in the kinetic metric, edges. */
   private static final double APART_EDGES = 0.15;
 
   /** The longest random pull but for those that lead all the way out, edges. */
@@ -57,16 +58,19 @@ public final class PullSearch {
 
   private static final double LARGEST_TURN_RAD = 0.3;
 
-  /** One random pull in so many leads all the way out; one in so many is shaken, or not turned. */
+  /** One random pull in this many leads all the way out. */
   private static final int LONG_ONE_IN = 4;
 
+  /** One random pull in this many is shaken. */
   private static final int SHAKEN_ONE_IN = 3;
+
+  /** One random pull in this many turns nothing. */
   private static final int STRAIGHT_ONE_IN = 3;
 
-  /** A pull leads on from the farthest of up to two to the power of this poses. */
+  /** A pull leads on from the farthest of up to 2^8 poses that are drawn at random. */
   private static final int MOST_DOUBLINGS = 8;
 
-  /** The part of the distance asked for at which a fragment is out. */
+  /** A fragment is out at this part of the distance that was asked for. */
   private static final double OUT_PART = 0.9;
 
   private static final double MAX_STEP_MM = 8;
@@ -244,7 +248,7 @@ public final class PullSearch {
     return v;
   }
 
-  /** Returns how far a pose has moved the reference point of a fragment. */
+  /** Returns how a pose has moved the reference point of a fragment from its place. */
   private Vec3 fromHome(int fragment, Pose pose) {
     Vec3 at = new Vec3();
     at.set(references[fragment].toReference(pose, seen).translation);

@@ -18,8 +18,8 @@ final class Ways {
   private Ways() {}
 
   /**
-   * Leaves out poses of a way that lie nearly on the motion between others. Keeps the first that is
-   * so far from the place, for each of some distances.
+   * Leaves out poses of a way that lie nearly on the motion between others. For each of the given
+   * distances, it keeps the first pose that is at least so far from the place.
    *
    * @param found poses from rest to present
    * @param keptMm distances in the kinetic metric, the shortest first
@@ -97,7 +97,7 @@ final class Ways {
     return new ReferencePose(shape.referenceMm(new Vec3())).toReference(pose, new Pose());
   }
 
-  /** Returns the first index of a pose that is so far from the place, or the last index. */
+  /** Returns the index of the first pose that is at least so far from the place, or the last. */
   static int stopsTo(double mm, List<Pose> way, RigidTool shape) {
     Pose home = reference(way.get(0), shape);
     int n = 1;

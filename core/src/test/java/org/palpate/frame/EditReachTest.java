@@ -40,8 +40,8 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Frames of a solver that keeps what an edit does not reach are those of a solver that forgets
- * everything: points and forces to the bit, whatever edits, undoes, swaps and cuts.
+ * A solver that keeps what an edit does not reach gives the same points and forces, to the bit, as
+ * a solver that forgets everything. The edits are boxes, undos, swaps and cuts.
  */
 class EditReachTest {
   private static final int EDGE = 48;

@@ -19,7 +19,7 @@ final class SessionTimes {
   private static final double NANOS_PER_MICRO = 1e3;
   private static final long PERIOD_NANOS = 1_000_000;
 
-  /** About as long as a frame. */
+  /** The steps of the fixed calculation, which then takes about as long as a frame. */
   private static final int CALCULATION_STEPS = 700;
 
   private final double[] frameMicros;

@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.palpate.fracture.Residual;
 
 /**
- * A fragment after a simulated hand was to put it back.
+ * The result for a fragment that a simulated hand was to put back.
  *
  * @param name its name
  * @param residual its motion from where it belongs
@@ -12,15 +12,16 @@ import org.palpate.fracture.Residual;
  * @param hasWay whether it was pulled out of its place before, so that there is a way home
  */
 record PutBack(String name, Residual residual, boolean wasTaken, boolean hasWay) {
-  /** A fragment is in place within this distance and angle. */
+  /** The largest distance of a fragment that is in place. */
   static final double MOST_MM = 0.5;
 
+  /** The largest angle of a fragment that is in place. */
   static final double MOST_DEGREES = 1;
 
   /** A fragment that lies farther away was put aside, or was not brought near, mm. */
   private static final double BESIDE_MM = 10;
 
-  /** Why a fragment is where it is. */
+  /** The place of a fragment, or the cause why it is not in place. */
   enum Outcome {
     IN_PLACE("in place"),
     NOT_TAKEN("not taken"),

@@ -84,7 +84,7 @@ public final class ActiveCells {
     System.arraycopy(nodes, 0, fixed, 0, fixed.length);
   }
 
-  /** Fixes the nodes of the list on cells of twice the edge anew, as {@link #coarser} does. */
+  /** Fixes the nodes of a list that {@link #coarser} returned, after {@link #fix} of this one. */
   void fixAgain(ActiveCells coarse) {
     fixCoarse(coarse.layout, coarse.fixed);
   }

@@ -27,7 +27,7 @@ final class CellMatter {
         layout.firstVoxel(2, layout.cellIndex(2, cell)));
   }
 
-  /** Begins a cell anywhere at its first voxel. */
+  /** Begins a cell with any first voxel. */
   void begin(int x, int y, int z) {
     sum = 0;
     voxels = 0;

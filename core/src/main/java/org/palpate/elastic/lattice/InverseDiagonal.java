@@ -82,7 +82,7 @@ final class InverseDiagonal {
   }
 
   /**
-   * Sets {@code dest} to {@code keep} times itself plus a factor times this times (a - b). All
+   * Sets {@code dest} to {@code keep * dest + factor * D * (a - b)}, where D is this diagonal. All
    * arrays have one index, so that the compiler makes vector code.
    */
   void relax(float keep, float factor, float[] a, float[] b, float[] dest) {

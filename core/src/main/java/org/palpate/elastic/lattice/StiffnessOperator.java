@@ -122,7 +122,8 @@ public final class StiffnessOperator {
   }
 
   /**
-   * Takes the rotations of the cells from displacements, and their moments, which edits change.
+   * Finds the rotations of the cells from displacements, and takes over their moments, which edits
+   * change.
    *
    * @param displacement three numbers for each node, mm
    */
@@ -204,9 +205,9 @@ public final class StiffnessOperator {
   }
 
   /**
-   * Adds the forces of the runs of a tile. Each corner of a tile has other nodes for all slots. So
-   * its forces so far are copied and summed for the whole tile, of which the compiler makes vector
-   * code.
+   * Adds the forces of the runs of a tile, one corner after the other. All slots of a tile have
+   * different nodes at a corner. So the forces so far at these nodes are copied, summed for the
+   * whole tile in one loop, which becomes vector code, and copied back.
    */
   private void scatter(int firstRun, int endRun, int tileBegin, float[] dest) {
     int count = slots.begin(endRun) - tileBegin;

@@ -42,7 +42,7 @@ final class StillNodes {
     }
   }
 
-  /** Returns the share of a cell's voxels that any of the cubes holds, counted for each cube. */
+  /** Returns the sum over the cubes of the share of a cell's voxels that each holds. */
   static double share(LatticeLayout layout, List<BitCube> cubes, int cell) {
     double share = 0;
     for (int n = 0; n < cubes.size(); n++) {

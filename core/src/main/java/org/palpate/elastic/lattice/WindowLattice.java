@@ -6,18 +6,20 @@ import java.util.List;
 import org.palpate.volume.BitCube;
 
 /**
- * A box of shorter cells inside a lattice, which moves with a contact. It is a whole number of
- * cells of the lattice long, and begins at one of its nodes. {@link LatticeMatter} has the
- * stiffness of its cells.
+ * A box of shorter cells inside a lattice, which moves with a contact. It covers whole cells of the
+ * lattice. {@link LatticeMatter} has the stiffness of its cells.
  *
  * <p>Nodes on the rim of the box are fixed, and as in the lattice those at segments that stand
  * still. One thread, the one that solves; allocates nothing after construction.
  */
 public final class WindowLattice {
-  /** The least way from the contact to a side inside the lattice, over the contact's radius. */
+  /** The least distance of a contact from a side inside the lattice, over the contact's radius. */
   private static final double REACH = 2;
 
-  /** The window stays while its middle is no farther from the contact than this, whole cells. */
+  /**
+   * The window stays while its middle is no farther from the contact than this along each axis, in
+   * cells of the whole lattice.
+   */
   private static final double NEAR_CELLS = 0.75;
 
   private final LatticeLayout whole;
@@ -39,7 +41,7 @@ public final class WindowLattice {
   /** The first cell of the whole lattice in the window, along each axis. */
   private final int[] firstCell = new int[3];
 
-  /** The way of the last move, in cells of the whole lattice. */
+  /** The last move, in cells of the whole lattice. */
   private final int[] move = new int[3];
 
   /** The modulus in use over that at rest, of each cell. */
@@ -144,7 +146,7 @@ public final class WindowLattice {
     return moved;
   }
 
-  /** Takes what stands in the window: the moduli in use, and the nodes that stand still. */
+  /** Sets what depends on the place: the moduli in use, and the nodes that stand still. */
   private void take() {
     float[] modulus = matter.stiffness().modulus();
     for (int cell = 0; cell < modulus.length; cell++) {
@@ -158,7 +160,7 @@ public final class WindowLattice {
     preconditioner.fixedNodesDiffer();
   }
 
-  /** Carries along how much stiffer the cells are than at rest. */
+  /** Carries along how much stiffer the cells are because they were crushed. */
   private void carryCrushed() {
     float[] modulus = matter.stiffness().modulus();
     // The rest moduli are still those of the place before.
@@ -319,8 +321,8 @@ public final class WindowLattice {
   }
 
   /**
-   * Adds the forces with which springs hold parts without support, if they hold them where another
-   * displacement has them.
+   * Adds the forces of the springs that hold parts without support, so that they hold them at a
+   * displacement instead of at rest.
    *
    * @param displacement three numbers for each node, mm
    * @param dest three numbers for each node, N; changed in place

@@ -120,9 +120,9 @@ public final class GlobalFit {
   }
 
   /**
-   * Returns the edge of a square for which one point of a surface stands, mm; of all fragments, the
-   * longest one. It is the edge of a voxel unless a fragment has so many rim voxels that only some
-   * have a point. So a large scan is searched at a lower resolution.
+   * Returns the edge of the square for which one point of a surface stands, mm; the longest one of
+   * all fragments. That is the edge of a voxel unless a fragment has so many rim voxels that some
+   * have no point. So a large scan is searched at a lower resolution.
    */
   private double coarsestEdgeMm() {
     return IntStream.range(0, fragments.size())

@@ -206,7 +206,7 @@ final class Junction {
     return isOpen ? -OPEN_COST : touching(CONTACT_EDGES);
   }
 
-  /** Returns how well the point that faces the other touches it with its normal reversed. */
+  /** Returns how well the point and the one that it faces touch, with normals reversed; 0 to 1. */
   private double touching(double widthEdges) {
     double unlike = (1 + faced.normal().dot(normal)) / UNLIKE;
     return bell((faced.heightMm() - gapMm) / (widthEdges * edgeMm)) * Math.max(0, 1 - unlike);

@@ -13,7 +13,7 @@ final class RimLaying {
   /** The least length of the sum of two outward directions across the line. */
   private static final double LEAST_ACROSS = 0.5;
 
-  /** The least cosine between an outward direction and the opposite of that it is laid on. */
+  /** The least cosine between an outward direction and the reverse of the one it is laid on. */
   private static final double LIKE_OUTWARD = 0.5;
 
   /** The least cosine between tangents. */
@@ -56,8 +56,8 @@ final class RimLaying {
   }
 
   /**
-   * Finds axes of a pair: x along it, z as the sum of the outward directions across it. False if
-   * that is short.
+   * Finds the axes of a pair: x along it, and z as the sum of the outward directions across it.
+   * Returns false if that sum is short.
    */
   private static boolean axes(RimPoints.Frame one, RimPoints.Frame two, int sign, Vec3[] dest) {
     two.point().sub(one.point(), dest[0]);

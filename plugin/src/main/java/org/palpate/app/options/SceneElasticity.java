@@ -68,8 +68,8 @@ public record SceneElasticity(Map<String, ElasticMaterial> materials, Map<String
   }
 
   /**
-   * Returns a scene whose bodies have this elasticity. Without any, and for bodies that have it
-   * already, everything stays as it is.
+   * Returns a scene whose bodies have this elasticity. Bodies that have it already stay as they
+   * are, and so does the scene if nothing is elastic.
    *
    * @param volume the volume that {@link #withFills} was written to, as the scene names it
    */

@@ -165,8 +165,8 @@ public final class VolumeSource {
   }
 
   /**
-   * Returns the phantom of a specification. A refusal consists of what is wrong, a value, and what
-   * to do; it is printed with the option as the user wrote it.
+   * Returns the phantom of a specification. If it is refused, the message names the option as the
+   * user wrote it instead of the value.
    */
   private static <R> R phantom(Function<String, R> parser, String spec) {
     try {
@@ -251,8 +251,8 @@ public final class VolumeSource {
   }
 
   /**
-   * Returns the scene that was read; empty if this is none, or if {@code --segment} asked for other
-   * segments of what it shows.
+   * Returns the scene that was read; empty if there is none, or if {@code --segment} chose other
+   * segments in it.
    */
   public Optional<OpenedScene> origin() {
     return bodies().flatMap(PlacedVolume::origin);

@@ -57,7 +57,7 @@ public final class ToolReport {
     }
   }
 
-  /** Returns what bodies did that were not in the hand. A replay moves the one in the hand. */
+  /** Returns how bodies moved that were not in the hand, as a line. */
   static String moved(ToolReplay.MovedBodies bodies) {
     return "outside the hand: "
         + CountText.of(bodies.motions(), "motion")

@@ -115,10 +115,12 @@ final class BrickCopy {
   }
 
   /**
-   * Returns those of some bricks of a copy, a bit each, that another copy holds as well, by their
-   * numbers there.
+   * Returns those bricks of a copy that another copy holds as well, by their numbers there.
    *
-   * @param x the bricks by which that one begins beyond the first, with y and z
+   * @param bricks the bricks of the first copy, a bit each
+   * @param x the number of bricks by which the other copy begins beyond the first, along x
+   * @param y the same along y
+   * @param z the same along z
    */
   static long moved(long bricks, int x, int y, int z) {
     int offset = number(x, y, z);
@@ -136,8 +138,8 @@ final class BrickCopy {
   }
 
   /**
-   * Whether some cells of the brick beside one of the copy are all solid. The source tells if the
-   * copy lacks that brick.
+   * Whether some cells of the brick beside one of the copy are all solid. If the copy lacks that
+   * brick, the source answers.
    *
    * @param step 1 or -1 along the axis
    * @param cells the cells, in the order of the word of a brick

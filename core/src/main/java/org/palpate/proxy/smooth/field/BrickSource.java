@@ -36,8 +36,8 @@ interface BrickSource {
   }
 
   /**
-   * Whether some cells of a brick are all solid. A source that makes its bricks does not make one
-   * if it can tell without.
+   * Whether some cells of a brick are all solid. A source that makes its bricks makes this one only
+   * if it cannot answer without it.
    *
    * @param cells the cells, in the order of the word of a brick
    */

@@ -281,7 +281,7 @@ final class CellCorrections {
     }
   }
 
-  /** Adds the corrections of those of some cells of a brick that count in this window. */
+  /** Adds the corrections of the given cells of a brick, as far as they count in this window. */
   private void addReached(Source source, int slot, long cells, int brickX, int brickY, int brickZ) {
     Slots found = source.slots();
     for (long left = cells; left != 0; left &= left - 1) {

@@ -30,7 +30,7 @@ interface CoefficientSource {
   /**
    * Forgets at least what depends on changed voxels.
    *
-   * @param changed the voxels; left with any content
+   * @param changed the voxels; scratch, whose content is undefined afterwards
    */
   void forget(IntBox changed);
 

@@ -73,7 +73,7 @@ final class ShapeInterpolation {
   /** The least length of a terrace whose bend counts, in shortest voxel edges. */
   private final double minBent;
 
-  /** Half the longer edge of a pixel: an outline lies up to that before its pixel's middle. */
+  /** Half the longer edge of a pixel: an outline may be this far before the middle of its pixel. */
   private final double halfEdge;
 
   private int decidingPixels;
@@ -138,8 +138,8 @@ final class ShapeInterpolation {
   }
 
   /**
-   * Returns how many pixels around the tile decided about the heights that were found last: others
-   * beside them, along u or v, may change without changing a height.
+   * Returns how many pixels around the tile, along u and v, decided about the heights that were
+   * found last. Pixels farther away may change without changing a height.
    */
   int decidingPixels() {
     return decidingPixels;

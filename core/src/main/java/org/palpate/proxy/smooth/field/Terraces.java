@@ -44,7 +44,7 @@ final class Terraces implements CellCorrections.Source {
   private static final long LAYER_Y = 0x000F_000F_000F_000FL;
   private static final long LAYER_Z = 0xFFFFL;
 
-  /** The bits of the cells if nothing else makes them forget, else null. */
+  /** The bits of the cells if {@link #forget} must make them forget, else null. */
   private final BrickSource bits;
 
   private final BrickCopy copy;

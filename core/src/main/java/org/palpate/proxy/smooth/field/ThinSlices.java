@@ -286,7 +286,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     };
   }
 
-  /** Returns the cells of a brick that may be solid, as far as it shows without interpolation. */
+  /** Returns the cells of a brick that may be solid, as far as is known without interpolation. */
   private long possiblySolid(int x, int y, int z) {
     return switch (cut.axis()) {
       case 0 -> slices.turned(betweenSolid(z, y, x));
