@@ -76,32 +76,14 @@ class FarRayTraversalTest {
   void decidesRandomRaysAsTheExhaustiveCasterDoes() {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
-    ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(new ExactPredicates());
-    BitCube bits = sparseCube(random);
-    RayHit expected = new RayHit();
+    DecidedRays both = new DecidedRays(sparseCube(random), traversal::cast);
     int rays = RandomCases.of(4_000);
-    int decided = 0;
-    int hits = 0;
     for (int n = 0; n < rays; n++) {
       Ray ray = randomRay(random);
-      String what = "seed=" + seed + " ray " + n + " " + ray;
-      TraversalResult result = traversal.cast(bits, ray, hit);
-      if (result != TraversalResult.IN_DOUBT) {
-        decided++;
-        boolean found = exhaustive.cast(bits, ray, expected);
-        assertEquals(found ? TraversalResult.HIT : TraversalResult.MISS, result, what);
-        hits += found ? 1 : 0;
-        if (found) {
-          assertEquals(expected.t, hit.t, 1e-13, what);
-          assertEquals(expected.axis, hit.axis, what);
-          assertEquals(expected.cell(0), hit.i, what);
-          assertEquals(expected.cell(1), hit.j, what);
-          assertEquals(expected.cell(2), hit.k, what);
-        }
-      }
+      both.compare(ray, "seed=" + seed + " ray " + n + " " + ray);
     }
-    assertTrue(decided >= 0.98 * rays, "decided=" + decided + " of " + rays);
-    assertTrue(hits > 0.1 * rays, "too few hits to mean anything: " + hits);
+    assertTrue(both.decided >= 0.98 * rays, "decided=" + both.decided + " of " + rays);
+    assertTrue(both.hits > 0.1 * rays, "too few hits to mean anything: " + both.hits);
   }
 
   private static BitCube sparseCube(SplittableRandom random) {

@@ -19,32 +19,17 @@ class NearRayTraversalTest {
   void decidesRandomRaysAsTheExhaustiveCasterDoes() {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
-    ExhaustiveRayCaster exhaustive = new ExhaustiveRayCaster(new ExactPredicates());
-    BitCube bits = RandomRays.sparseCube(random);
-    RayHit expected = new RayHit();
+    DecidedRays both =
+        new DecidedRays(
+            RandomRays.sparseCube(random),
+            (cube, ray, dest) -> NearRayTraversal.cast(cube, ray, empty, dest));
     int rays = RandomCases.of(20_000);
-    int decided = 0;
-    int hits = 0;
     for (int n = 0; n < rays; n++) {
       Ray ray = randomRay(random);
-      String what = "seed=" + seed + " ray " + n + " " + ray;
-      TraversalResult result = NearRayTraversal.cast(bits, ray, empty, hit);
-      if (result != TraversalResult.IN_DOUBT) {
-        decided++;
-        boolean found = exhaustive.cast(bits, ray, expected);
-        assertEquals(found ? TraversalResult.HIT : TraversalResult.MISS, result, what);
-        hits += found ? 1 : 0;
-        if (found) {
-          assertEquals(expected.t, hit.t, 1e-13, what);
-          assertEquals(expected.axis, hit.axis, what);
-          assertEquals(expected.cell(0), hit.i, what);
-          assertEquals(expected.cell(1), hit.j, what);
-          assertEquals(expected.cell(2), hit.k, what);
-        }
-      }
+      both.compare(ray, "seed=" + seed + " ray " + n + " " + ray);
     }
-    assertTrue(decided >= 0.99 * rays, "decided=" + decided + " of " + rays);
-    assertTrue(hits > 0.02 * rays, "too few hits to mean anything: " + hits);
+    assertTrue(both.decided >= 0.99 * rays, "decided=" + both.decided + " of " + rays);
+    assertTrue(both.hits > 0.02 * rays, "too few hits to mean anything: " + both.hits);
   }
 
   private static Ray randomRay(SplittableRandom random) {
