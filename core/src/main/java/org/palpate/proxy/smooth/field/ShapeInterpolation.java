@@ -128,7 +128,9 @@ final class ShapeInterpolation {
       heights[column] = Math.min(perVoxel, height + OVERLAP_CELLS);
       farthest = Math.max(farthest, farthestOf(column));
     }
-    decidingPixels = farthest < reach ? (int) Math.ceil(farthest + halfEdge) : reachPixels();
+    // Half of a long edge may exceed the reach.
+    int pixels = farthest < reach ? (int) Math.ceil(farthest + halfEdge) : reachPixels();
+    decidingPixels = Math.min(pixels, reachPixels());
   }
 
   /** Returns the distance to the farthest outline that a height depends on. */

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.HashSet;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.palpate.geometry.IntBox;
 
 class CacheKeysTest {
   private final CacheKeys keys = new CacheKeys(4);
@@ -47,5 +48,59 @@ class CacheKeysTest {
     keys.holdsElseSet(slot, 0, 0, 0);
     keys.forget();
     assertFalse(keys.holdsElseSet(slot, 0, 0, 0));
+  }
+
+  @Test
+  void aBoxForgetsItsPositionsAndKeepsTheOthers() {
+    setAll();
+    IntBox box = new IntBox();
+    box.include(-1, 0, 1);
+    box.include(0, 1, 1);
+    keys.forget(box);
+    for (int n = 0; n < 64; n++) {
+      assertEquals(!box.contains(x(n), y(n), z(n)), holds(n), "position " + n);
+    }
+    setAll();
+    for (int n = 0; n < 64; n++) {
+      assertTrue(holds(n), "position " + n);
+    }
+  }
+
+  @Test
+  void aLargeBoxForgetsAllPositionsWhereverItLies() {
+    setAll();
+    IntBox box = new IntBox();
+    box.include(1000, 1000, 1000);
+    box.include(1015, 1015, 1015);
+    assertFalse(CacheKeys.isLarge(box));
+    box.include(1016, 1016, 1016);
+    assertTrue(CacheKeys.isLarge(box));
+    keys.forget(box);
+    for (int n = 0; n < 64; n++) {
+      assertFalse(holds(n), "position " + n);
+    }
+  }
+
+  /** Sets 4x4x4 positions, which have different slots. */
+  private void setAll() {
+    for (int n = 0; n < 64; n++) {
+      keys.holdsElseSet(keys.slot(x(n), y(n), z(n)), x(n), y(n), z(n));
+    }
+  }
+
+  private boolean holds(int n) {
+    return keys.holds(keys.slot(x(n), y(n), z(n)), x(n), y(n), z(n));
+  }
+
+  private static int x(int n) {
+    return (n & 3) - 2;
+  }
+
+  private static int y(int n) {
+    return n >> 2 & 3;
+  }
+
+  private static int z(int n) {
+    return n >> 4;
   }
 }

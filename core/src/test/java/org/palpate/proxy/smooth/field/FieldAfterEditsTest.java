@@ -285,6 +285,18 @@ class FieldAfterEditsTest {
     assertEquals(1, changes);
   }
 
+  /** Half of a pixel's long edge is far longer than the reach of a search. */
+  @Test
+  void aTileOfVeryLongPixelsFollowsItsOutlineAlongTheirShortEdge() {
+    GridMetric metric = new GridMetric(1, 300, 300);
+    fill((i, j, k) -> i < MIDDLE + 4 - 8 * (k - 20));
+    OccupancyField field = fresh(metric);
+    places.clear();
+    places.add(new Vec3(MIDDLE - 1.5, MIDDLE + 0.5, 21.1));
+    assertSameAfter(() -> turn(MIDDLE + 3, MIDDLE, 20), field, fresh(metric));
+    assertEquals(1, changes);
+  }
+
   @ParameterizedTest
   @CsvSource({"1, 1, 1", "1, 1, 2", "1, 1, 5", "2, 1, 1.5"})
   void editsLeaveTheAnswersOfAFreshFieldOfGreyValues(double x, double y, double z) {
