@@ -31,7 +31,9 @@ public final class GreyEdit extends Edit {
   void prepare(SegmentGrids grids) {
     VoxelGrid grid = grids.grid(segment());
     VoxelGrid values = replacement.volume().grid();
-    if (!sizes(values).equals(sizes(grid))) {
+    if (values.sizeX() != grid.sizeX()
+        || values.sizeY() != grid.sizeY()
+        || values.sizeZ() != grid.sizeZ()) {
       throw new IllegalArgumentException(
           "grey values must have the grid's sizes: values="
               + sizes(values)

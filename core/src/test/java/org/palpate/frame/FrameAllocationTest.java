@@ -23,6 +23,7 @@ import org.palpate.device.ReadStatus;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.edit.BrushEdit;
 import org.palpate.edit.Edit;
+import org.palpate.edit.GreyEdit;
 import org.palpate.edit.HistoryEdit;
 import org.palpate.elastic.ElasticBody;
 import org.palpate.elastic.SynchronousUpdates;
@@ -54,6 +55,8 @@ import org.palpate.loop.ManualClock;
 import org.palpate.loop.ThreadSetup;
 import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.proxy.smooth.field.GreyIsosurface;
+import org.palpate.proxy.smooth.field.GreyIsosurfaceSource;
 import org.palpate.recording.FrameRecorder;
 import org.palpate.recording.RecordingDevice;
 import org.palpate.recording.SampleRecorder;
@@ -189,6 +192,35 @@ class FrameAllocationTest {
     MassSettings held = new MassSettings(0.02, new Vec3(0, 0, -9810));
     frame.give(new MassiveContact(Floor.METRIC, settings.force(), held));
     frame.use(new GreyMaterials(greyValues(), GreyMaterials.CT));
+    assertARoundAllocatesNothing(frame);
+  }
+
+  /** Every fourth edit replaces the grey values of the floor, whose top stays the isosurface. */
+  @Test
+  void aHundredThousandWarmFramesOverGreyValuesThatAreReplacedAllocateNothing() {
+    prepareEdits(1.5);
+    ScalarVolume values = ScalarVolume.of(Floor.GRID, ScalarVolume.Storage.INT16);
+    for (int n = 0; n < Floor.EDGE * Floor.EDGE * Floor.EDGE; n++) {
+      int k = n / (Floor.EDGE * Floor.EDGE);
+      values.set(n % Floor.EDGE, n / Floor.EDGE % Floor.EDGE, k, 40 * (Floor.TOP - k) - 20);
+    }
+    GreyIsosurface steep = new GreyIsosurface(values, 0, 20);
+    GreyIsosurface gentle = new GreyIsosurface(values, 0, 60);
+    GreyIsosurfaceSource grey = new GreyIsosurfaceSource(steep);
+    for (int n = 0; n < waiting.length; n += 4) {
+      waiting[n] = new GreyEdit(0, grey, n % 8 == 0 ? gentle : steep);
+    }
+    HandTarget target = HandTarget.ofBox(new Vec3(2, 2, 2), new Vec3(30, 30, 12), 1);
+    SimulatedDevice hand = new SimulatedDevice(7, target, ManualClock.MS);
+    PointFrame frame =
+        new PointFrame(
+            GridDevice.inGridCoordinates(new MeasuringDevice(new RecordingDevice(hand, recorder))),
+            new SmoothSolver(Floor.METRIC, 8, grey),
+            floor.scene,
+            Floor.METRIC,
+            FrameSettings.live(hand.specification(), Floor.settings().force()),
+            floor.edits,
+            FramePublisher.NONE);
     assertARoundAllocatesNothing(frame);
   }
 

@@ -1,19 +1,14 @@
 package org.palpate.proxy.smooth.field;
 
+import org.palpate.volume.GreyQuantizer;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
  * The grey values from which a segment was made by a threshold. They show where the surface runs
- * between its voxels.
- *
- * @param volume the grey values over the grid of the segment's bits; the haptic thread reads them
- *     and nobody changes them
- * @param threshold the least value of a voxel in the segment
- * @param contrast how far above the threshold a voxel is fully solid, and how far below it fully
- *     empty; positive and finite
+ * between its voxels. Immutable; a frame that takes one over allocates nothing.
  */
-public record GreyIsosurface(ScalarVolume volume, double threshold, double contrast) {
+public final class GreyIsosurface {
 
   /**
    * The mean difference between neighbours on different sides of a sharp edge, as a fraction of the
@@ -24,16 +19,30 @@ public record GreyIsosurface(ScalarVolume volume, double threshold, double contr
   /** The contrast where the values show none. */
   private static final double DEFAULT_CONTRAST = 1;
 
+  private final ScalarVolume volume;
+  private final double threshold;
+  private final double contrast;
+  private final GreyQuantizer quantizer;
+
   /**
-   * Checks the contrast.
+   * Creates an isosurface. Cost: a table of the levels of all integers of two bytes.
    *
+   * @param volume the grey values over the grid of the segment's bits; the haptic thread reads them
+   *     and nobody changes them
+   * @param threshold the least value of a voxel in the segment
+   * @param contrast how far above the threshold a voxel is fully solid, and how far below it fully
+   *     empty; positive and finite
    * @throws IllegalArgumentException if the contrast is not positive and finite
    */
-  public GreyIsosurface {
+  public GreyIsosurface(ScalarVolume volume, double threshold, double contrast) {
     if (!(contrast > 0) || Double.isInfinite(contrast)) {
       throw new IllegalArgumentException(
           "contrast must be positive and finite: contrast=" + contrast);
     }
+    this.volume = volume;
+    this.threshold = threshold;
+    this.contrast = contrast;
+    quantizer = new GreyQuantizer(threshold, 0.5 * GreyOccupancyCache.WHOLE / contrast);
   }
 
   /**
@@ -47,6 +56,28 @@ public record GreyIsosurface(ScalarVolume volume, double threshold, double contr
     double step = new EdgeContrast(volume, threshold).meanDifference() / PAIR_FRACTION_OF_STEP;
     boolean usable = step > 0 && step < Double.MAX_VALUE;
     return new GreyIsosurface(volume, threshold, usable ? step / 2 : DEFAULT_CONTRAST);
+  }
+
+  /** {@return the grey values over the grid of the segment's bits} */
+  public ScalarVolume volume() {
+    return volume;
+  }
+
+  /** {@return the least value of a voxel in the segment} */
+  public double threshold() {
+    return threshold;
+  }
+
+  /**
+   * {@return how far above the threshold a voxel is fully solid, and how far below it fully empty}
+   */
+  public double contrast() {
+    return contrast;
+  }
+
+  /** Returns the occupancies that grey values stand for, as levels. */
+  GreyQuantizer quantizer() {
+    return quantizer;
   }
 
   /**

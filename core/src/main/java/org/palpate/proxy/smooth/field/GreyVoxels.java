@@ -21,7 +21,6 @@ final class GreyVoxels extends GreyOccupancyCache {
 
   private final GreyIsosurfaceSource source;
   private final VoxelGrid grid;
-  private GreyIsosurface surface;
   private ScalarVolume volume;
   private GreyQuantizer quantizer;
 
@@ -49,11 +48,8 @@ final class GreyVoxels extends GreyOccupancyCache {
   /** Takes the present values of the source, and forgets the bricks. */
   private void takeValues() {
     GreyIsosurface now = source.now();
-    if (!now.equals(surface)) { // otherwise a frame after an edit would allocate
-      surface = now;
-      volume = now.volume();
-      quantizer = new GreyQuantizer(now.threshold(), 0.5 * WHOLE / now.contrast());
-    }
+    volume = now.volume();
+    quantizer = now.quantizer();
     Arrays.fill(brickWord, NONE);
   }
 
