@@ -142,7 +142,7 @@ class ExactRayCasterReachTest {
     assertEquals(1.2 / 2.7, hit.t, 1e-15);
     bits.clear(4, 4, 4);
     bits.set(4, 5, 3);
-    assertFalse(caster.cast(bits, turned(0, from, to), hit));
+    assertFalse(caster.cast(bits, turned(axis, from, to), hit));
   }
 
   /** The ray runs within a plane, so that the traversal with exact ties takes it. */
