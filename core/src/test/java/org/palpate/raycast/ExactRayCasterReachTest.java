@@ -20,16 +20,6 @@ class ExactRayCasterReachTest {
   private final ExactRayCaster caster = new ExactRayCaster();
   private final RayHit hit = new RayHit();
 
-  /** Returns a ray whose coordinates are those of x, y and z, turned to begin with an axis. */
-  private static Ray turned(int axis, double[] from, double[] to) {
-    double[] at = new double[6];
-    for (int n = 0; n < 3; n++) {
-      at[(axis + n) % 3] = from[n];
-      at[3 + (axis + n) % 3] = to[n];
-    }
-    return new Ray().from(at[0], at[1], at[2]).to(at[3], at[4], at[5]);
-  }
-
   /**
    * The ray passes the edge at x = 4, y = 4 of the only solid, and lies outside of the solid before
    * and after. Its coordinates are whole multiples of 2^-20, so that no rounding moves it.
@@ -51,13 +41,13 @@ class ExactRayCasterReachTest {
       double[] to = {4 + after * right, 4 - after * down, height + after * along};
       int axis = random.nextInt(3);
       boolean back = random.nextBoolean();
-      Ray ray = back ? turned(axis, to, from) : turned(axis, from, to);
+      Ray ray = back ? TurnedRay.of(axis, to, from) : TurnedRay.of(axis, from, to);
       assertTrue(caster.cast(bits, ray, hit), () -> "seed=" + seed + " " + ray);
       double t = (double) (back ? after : before) / (before + after);
       assertEquals(t, hit.t, 1e-13, () -> "seed=" + seed + " " + ray);
       from[1] -= 0x1p-40; // a hair below the edge
       to[1] -= 0x1p-40;
-      Ray below = turned(axis, from, to);
+      Ray below = TurnedRay.of(axis, from, to);
       assertFalse(caster.cast(bits, below, hit), () -> "seed=" + seed + " " + below);
     }
   }
@@ -80,7 +70,7 @@ class ExactRayCasterReachTest {
         from[axis] = random.nextDouble(-far, far);
         to[axis] = random.nextDouble(-1, 17);
       }
-      Ray ray = random.nextBoolean() ? turned(0, from, to) : turned(0, to, from);
+      Ray ray = random.nextBoolean() ? TurnedRay.of(0, from, to) : TurnedRay.of(0, to, from);
       String what = "seed=" + seed + " " + ray;
       double expected = ExactOracle.firstTouch(bits, ray);
       boolean found = caster.cast(bits, ray, hit);
@@ -116,7 +106,7 @@ class ExactRayCasterReachTest {
         from[axis] = random.nextDouble(-far, far);
         to[axis] = random.nextDouble(-1, 17);
       }
-      Ray ray = turned(0, from, to);
+      Ray ray = TurnedRay.of(0, from, to);
       String what = "seed=" + seed + " " + ray;
       boolean found = caster.cast(bits, ray, hit);
       assertEquals(exhaustive.cast(bits, ray, expected), found, what);
@@ -135,14 +125,14 @@ class ExactRayCasterReachTest {
     bits.set(4, 4, 4);
     double[] from = {-1.5e308, 4.5, 4.5};
     double[] to = {1.2e308, 4.5, 4.5};
-    assertTrue(caster.cast(bits, turned(axis, from, to), hit));
+    assertTrue(caster.cast(bits, TurnedRay.of(axis, from, to), hit));
     assertEquals(1.5 / 2.7, hit.t, 1e-15);
     assertEquals(axis, hit.axis);
-    assertTrue(caster.cast(bits, turned(axis, to, from), hit));
+    assertTrue(caster.cast(bits, TurnedRay.of(axis, to, from), hit));
     assertEquals(1.2 / 2.7, hit.t, 1e-15);
     bits.clear(4, 4, 4);
     bits.set(4, 5, 3);
-    assertFalse(caster.cast(bits, turned(axis, from, to), hit));
+    assertFalse(caster.cast(bits, TurnedRay.of(axis, from, to), hit));
   }
 
   /** The ray runs within a plane, so that the traversal with exact ties takes it. */
@@ -154,7 +144,7 @@ class ExactRayCasterReachTest {
     bits.set(30, 30, 30);
     double[] from = {-100_000.5, 20, 11.5};
     double[] to = {200_000.5, 20, 12.5};
-    assertFalse(caster.cast(bits, turned(axis, from, to), hit));
+    assertFalse(caster.cast(bits, TurnedRay.of(axis, from, to), hit));
     SkipCounters counts = new SkipCounters();
     caster.addSkips(counts);
     long bricks = counts.of(SkipKind.EMPTY_BRICKS);

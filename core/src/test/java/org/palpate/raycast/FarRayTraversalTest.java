@@ -38,16 +38,6 @@ class FarRayTraversalTest {
     return new Ray().from(at[0], at[1], at[2]).to(at[3], at[4], at[5]);
   }
 
-  /** Returns a ray from {@code from} to {@code to}, whose first component is along an axis. */
-  private static Ray turned(int axis, double[] from, double[] to) {
-    double[] at = new double[6];
-    for (int n = 0; n < 3; n++) {
-      at[(axis + n) % 3] = from[n];
-      at[3 + (axis + n) % 3] = to[n];
-    }
-    return ray(at);
-  }
-
   /** The only solid is the voxel (4, 4, 4). */
   @ParameterizedTest
   @ValueSource(ints = {0, 1, 2})
@@ -56,19 +46,21 @@ class FarRayTraversalTest {
     bits.set(4, 4, 4);
     double[] before = {-11.5, 4.25, 4.5};
     double[] after = {12.5, 4.75, 4.5};
-    assertEquals(TraversalResult.HIT, traversal.cast(bits, turned(axis, before, after), hit));
+    assertEquals(TraversalResult.HIT, traversal.cast(bits, TurnedRay.of(axis, before, after), hit));
     assertEquals(15.5 / 24, hit.t, 1e-15);
     assertEquals(axis, hit.axis);
-    assertEquals(TraversalResult.HIT, traversal.cast(bits, turned(axis, after, before), hit));
+    assertEquals(TraversalResult.HIT, traversal.cast(bits, TurnedRay.of(axis, after, before), hit));
     assertEquals(7.5 / 24, hit.t, 1e-15);
     assertEquals(axis, hit.axis);
     assertEquals(4, hit.i);
     assertEquals(4, hit.j);
     assertEquals(4, hit.k);
     double[] beside = {12.5, 5.75, 4.5};
-    assertEquals(TraversalResult.MISS, traversal.cast(bits, turned(axis, before, beside), hit));
+    assertEquals(
+        TraversalResult.MISS, traversal.cast(bits, TurnedRay.of(axis, before, beside), hit));
     double[] tooShort = {3.75, 4.5, 4.5};
-    assertEquals(TraversalResult.MISS, traversal.cast(bits, turned(axis, before, tooShort), hit));
+    assertEquals(
+        TraversalResult.MISS, traversal.cast(bits, TurnedRay.of(axis, before, tooShort), hit));
   }
 
   /** Rays whose numbers are random come near a tie very rarely. */
@@ -112,9 +104,9 @@ class FarRayTraversalTest {
   void aRayThatStartsOnAPlaneIsInDoubt(int axis) {
     BitCube bits = cornersOf(32);
     double[] to = {27.3, 21.4, 18.6};
-    Ray onPlane = turned(axis, new double[] {5, 5.3, 6.2}, to);
+    Ray onPlane = TurnedRay.of(axis, new double[] {5, 5.3, 6.2}, to);
     assertEquals(TraversalResult.IN_DOUBT, traversal.cast(bits, onPlane, hit));
-    Ray nearPlane = turned(axis, new double[] {5 + TINY, 5.3, 6.2}, to);
+    Ray nearPlane = TurnedRay.of(axis, new double[] {5 + TINY, 5.3, 6.2}, to);
     assertEquals(TraversalResult.MISS, traversal.cast(bits, nearPlane, hit));
   }
 
@@ -130,9 +122,9 @@ class FarRayTraversalTest {
   void aRayThatEndsOnAPlaneIsInDoubt(int axis) {
     BitCube bits = cornersOf(32);
     double[] from = {5.25, 5.375, 6.25};
-    Ray onPlane = turned(axis, from, new double[] {20, 21.5, 18.625});
+    Ray onPlane = TurnedRay.of(axis, from, new double[] {20, 21.5, 18.625});
     assertEquals(TraversalResult.IN_DOUBT, traversal.cast(bits, onPlane, hit));
-    Ray before = turned(axis, from, new double[] {20 - TINY, 21.5, 18.625});
+    Ray before = TurnedRay.of(axis, from, new double[] {20 - TINY, 21.5, 18.625});
     assertEquals(TraversalResult.MISS, traversal.cast(bits, before, hit));
   }
 
@@ -151,7 +143,7 @@ class FarRayTraversalTest {
       to[other] = at - 5.5;
       assertEquals(
           TraversalResult.IN_DOUBT,
-          traversal.cast(bits, turned(axis, from, to), hit),
+          traversal.cast(bits, TurnedRay.of(axis, from, to), hit),
           "enters at " + at);
     }
   }
@@ -168,7 +160,7 @@ class FarRayTraversalTest {
       to[other] = at + 10.5;
       assertEquals(
           TraversalResult.IN_DOUBT,
-          traversal.cast(bits, turned(axis, from, to), hit),
+          traversal.cast(bits, TurnedRay.of(axis, from, to), hit),
           "leaves the block at " + at);
     }
   }
