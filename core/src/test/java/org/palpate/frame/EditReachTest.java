@@ -40,7 +40,8 @@ import org.palpate.volume.VoxelGrid;
 
 /**
  * A solver that keeps what an edit does not reach gives the same points and forces, to the bit, as
- * a solver that forgets everything. The edits are boxes, undos, swaps and cuts.
+ * a solver that forgets everything. Edits change voxels, balls, grey values or all bits, undo or
+ * redo, and cut.
  */
 class EditReachTest {
   private static final int EDGE = 48;
@@ -258,12 +259,10 @@ class EditReachTest {
   void anEditIsFeltInTheNextFrameAndTakesLessWork() {
     Session kept = new Session(new Vec3(1, 1, 1.2), false, false);
     Session plain = new Session(new Vec3(1, 1, 1.2), true, false);
-    IntBox box = new IntBox();
     for (int n = 1; n <= 1200; n++) {
       place(n, kept.deviceMm);
       plain.deviceMm.set(kept.deviceMm);
       if (n > 200 && n % 4 == 0) {
-        box.clear();
         int i = (int) (kept.deviceMm.x - 0.5);
         int j = (int) (kept.deviceMm.y - 0.5);
         int k = (int) (kept.deviceMm.z / 1.2);
