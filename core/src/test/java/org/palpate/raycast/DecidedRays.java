@@ -1,7 +1,9 @@
 package org.palpate.raycast;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.function.Supplier;
 import org.palpate.volume.BitCube;
 
 /** Compares a traversal with the exhaustive caster wherever it decides a ray. One thread. */
@@ -13,10 +15,10 @@ final class DecidedRays {
   private final Traversal traversal;
 
   /** The number of rays that were decided. */
-  int decided;
+  private int decided;
 
   /** The number of these that hit a solid. */
-  int hits;
+  private int hits;
 
   /** A traversal of one kind. */
   interface Traversal {
@@ -28,8 +30,25 @@ final class DecidedRays {
     this.traversal = traversal;
   }
 
-  /** Casts a ray, and requires the same answer from both if the traversal decides it. */
-  void compare(Ray ray, String what) {
+  /**
+   * Casts rays, and requires the same answer from both wherever the traversal decides.
+   *
+   * @param leastDecided the least part of the rays that the traversal must decide
+   * @param leastHits the part of the rays of which more must hit a solid
+   * @param next makes a ray
+   * @param what begins the message of a failure
+   */
+  void assertSame(
+      int rays, double leastDecided, double leastHits, Supplier<Ray> next, String what) {
+    for (int n = 0; n < rays; n++) {
+      Ray ray = next.get();
+      compare(ray, what + " ray " + n + " " + ray);
+    }
+    assertTrue(decided >= leastDecided * rays, what + " decided " + decided + " of " + rays);
+    assertTrue(hits > leastHits * rays, what + " too few hits to mean anything: " + hits);
+  }
+
+  private void compare(Ray ray, String what) {
     TraversalResult result = traversal.cast(bits, ray, hit);
     if (result == TraversalResult.IN_DOUBT) {
       return;

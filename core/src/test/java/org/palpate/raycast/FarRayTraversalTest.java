@@ -69,13 +69,7 @@ class FarRayTraversalTest {
     long seed = Seeds.seed();
     SplittableRandom random = new SplittableRandom(seed);
     DecidedRays both = new DecidedRays(sparseCube(random), traversal::cast);
-    int rays = RandomCases.of(4_000);
-    for (int n = 0; n < rays; n++) {
-      Ray ray = randomRay(random);
-      both.compare(ray, "seed=" + seed + " ray " + n + " " + ray);
-    }
-    assertTrue(both.decided >= 0.98 * rays, "decided=" + both.decided + " of " + rays);
-    assertTrue(both.hits > 0.1 * rays, "too few hits to mean anything: " + both.hits);
+    both.assertSame(RandomCases.of(4_000), 0.98, 0.1, () -> randomRay(random), "seed=" + seed);
   }
 
   private static BitCube sparseCube(SplittableRandom random) {

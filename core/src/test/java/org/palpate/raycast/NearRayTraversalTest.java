@@ -23,13 +23,7 @@ class NearRayTraversalTest {
         new DecidedRays(
             RandomRays.sparseCube(random),
             (cube, ray, dest) -> NearRayTraversal.cast(cube, ray, empty, dest));
-    int rays = RandomCases.of(20_000);
-    for (int n = 0; n < rays; n++) {
-      Ray ray = randomRay(random);
-      both.compare(ray, "seed=" + seed + " ray " + n + " " + ray);
-    }
-    assertTrue(both.decided >= 0.99 * rays, "decided=" + both.decided + " of " + rays);
-    assertTrue(both.hits > 0.02 * rays, "too few hits to mean anything: " + both.hits);
+    both.assertSame(RandomCases.of(20_000), 0.99, 0.02, () -> randomRay(random), "seed=" + seed);
   }
 
   private static Ray randomRay(SplittableRandom random) {
