@@ -132,8 +132,8 @@ class FarRayTraversalTest {
     for (double at : new double[] {4 + TINY, 5 - TINY, 5 + TINY}) {
       double[] from = {-11.5, 4.25, 4.25};
       double[] to = {9.5, 5.5, 5.625};
-      from[other] =
-          at + 15.5; // the ray goes down along this axis as far as it goes along the first
+      // The ray goes down along this axis as far as it goes along the first.
+      from[other] = at + 15.5;
       to[other] = at - 5.5;
       assertEquals(
           TraversalResult.IN_DOUBT,
@@ -142,7 +142,7 @@ class FarRayTraversalTest {
     }
   }
 
-  /** The ray starts in an empty block and leaves it at 16, beside the plane at 6. */
+  /** The ray starts in an empty block and leaves it at 32, beside the plane at 22. */
   @ParameterizedTest
   @CsvSource({"0, 1", "0, 2", "1, 1", "1, 2", "2, 1", "2, 2"})
   void aLongStepThatEndsNearlyOnAnotherPlaneIsInDoubt(int axis, int other) {
@@ -150,7 +150,8 @@ class FarRayTraversalTest {
     for (double at : new double[] {22 - TINY, 22 + TINY}) {
       double[] from = {17.5, 19.25, 19.25};
       double[] to = {42.5, 25.5, 25.5};
-      from[other] = at - 14.5; // as far before the end of the block as along the first axis
+      // The ray goes up along this axis as far as it goes along the first.
+      from[other] = at - 14.5;
       to[other] = at + 10.5;
       assertEquals(
           TraversalResult.IN_DOUBT,
