@@ -241,7 +241,7 @@ final class BinaryCoefficientSource implements CoefficientSource {
 
   @Override
   public void forget(IntBox changed) {
-    window.forget(changed);
+    window.forget(changed); // makes cells of the voxels
     corrections.forget(changed);
   }
 

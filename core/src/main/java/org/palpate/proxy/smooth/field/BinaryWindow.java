@@ -90,7 +90,12 @@ final class BinaryWindow {
     copy.forget();
   }
 
-  /** Forgets the copied bits that changes reach, see {@link BrickSource#forget(IntBox)}. */
+  /**
+   * Forgets the copied bits that changes reach.
+   *
+   * @param changed the voxels; receives the cells that they may change, see {@link
+   *     BrickSource#forget(IntBox)}
+   */
   void forget(IntBox changed) {
     copy.forget(changed);
   }

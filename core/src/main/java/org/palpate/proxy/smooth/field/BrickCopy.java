@@ -55,7 +55,12 @@ final class BrickCopy {
     source.forget();
   }
 
-  /** Forgets the bits, and those of the source that changes reach, see {@link BrickSource}. */
+  /**
+   * Forgets the bits, and those of the source that changes reach.
+   *
+   * @param changed the voxels; receives the cells that they may change, see {@link
+   *     BrickSource#forget(IntBox)}
+   */
   void forget(IntBox changed) {
     valid = false;
     source.forget(changed);

@@ -11,8 +11,8 @@ import org.palpate.geometry.Vec3;
  * lattice, which B-splines of other widths leave behind.
  *
  * <p>If the spacing differs between the axes, longer voxels get narrower boxes. The kernel is
- * therefore about equally wide in millimetres along every axis. Only where very long voxels are cut
- * into cells that are longer than others, it is as much wider.
+ * therefore about equally wide in millimetres along every axis. It is wider only across the cuts of
+ * very long voxels, because cells are longer there.
  *
  * <p>References: box splines, de Boor, Hoellig and Riemenschneider 1993; normals of digital
  * surfaces by convolution, Esbelin and Malgouyres 2009, and by integral invariants, Coeurjolly,
