@@ -1,7 +1,6 @@
 package org.palpate.app.options;
 
 import java.util.List;
-import java.util.Optional;
 import org.palpate.app.process.PalpateException;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.EnclosedSpace;
@@ -39,11 +38,8 @@ record ElasticFill(String name, String outer, String inner) {
 
   /** Whether a volume has the two segments. */
   boolean fits(SegmentedVolume volume) {
-    return find(volume, outer).isPresent() && find(volume, inner).isPresent();
-  }
-
-  private static Optional<Segment> find(SegmentedVolume volume, String name) {
-    return volume.segments().stream().filter(each -> each.name().equals(name)).findFirst();
+    return NamedSegment.find(volume, outer).isPresent()
+        && NamedSegment.find(volume, inner).isPresent();
   }
 
   /**
@@ -52,7 +48,7 @@ record ElasticFill(String name, String outer, String inner) {
    * @throws PalpateException exit code 2, if a segment is missing or there is no space
    */
   BitCube voxels(SegmentedVolume volume) {
-    if (find(volume, name).isPresent()) {
+    if (NamedSegment.find(volume, name).isPresent()) {
       throw refusal("a segment has the name of the fill", "choose another name");
     }
     List<BitCube> solids = volume.segments().stream().map(Segment::bits).toList();
@@ -64,7 +60,7 @@ record ElasticFill(String name, String outer, String inner) {
   }
 
   private BitCube bits(SegmentedVolume volume, String segment) {
-    return find(volume, segment)
+    return NamedSegment.find(volume, segment)
         .orElseThrow(
             () -> refusal("there is no segment " + segment, NamedSegment.remedy(volume.segments())))
         .bits();

@@ -1,6 +1,7 @@
 package org.palpate.app.options;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.palpate.app.process.PalpateException;
 import org.palpate.volume.Segment;
@@ -21,17 +22,23 @@ final class NamedSegment {
    * @throws PalpateException exit code 2, if there is no such segment
    */
   static Segment of(SegmentedVolume segments, String option, String text, String name) {
-    return segments.segments().stream()
-        .filter(segment -> segment.name().equals(name))
-        .findFirst()
+    return find(segments, name)
         .orElseThrow(
             () ->
                 PalpateException.wrongUse(
                     "there is no such segment", option + text, remedy(segments.segments())));
   }
 
-  /** Returns the remedy for a name that is wrong: the segments that there are. */
+  /** Returns the segment of a name; empty if there is none. */
+  static Optional<Segment> find(SegmentedVolume segments, String name) {
+    return segments.segments().stream().filter(each -> each.name().equals(name)).findFirst();
+  }
+
+  /** Returns the remedy for a name that is wrong: the segments that exist, or their number. */
   static String remedy(List<Segment> segments) {
+    if (segments.isEmpty()) {
+      return "the volume has no segment; choose one with --segment";
+    }
     return segments.size() > MOST_LISTED
         ? "choose one of the " + segments.size() + " segments that palpate info lists"
         : "choose " + segments.stream().map(Segment::name).collect(Collectors.joining(" or "));
