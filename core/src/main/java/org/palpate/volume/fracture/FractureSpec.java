@@ -1,5 +1,7 @@
 package org.palpate.volume.fracture;
 
+import org.palpate.volume.SpecificationException;
+
 /**
  * The specification of a synthetic fracture.
  *
@@ -26,21 +28,20 @@ public record FractureSpec(int parts, long seed, int kerfVoxels) {
   /**
    * Checks the numbers.
    *
-   * @throws IllegalArgumentException if one is out of range; the message names what to choose
+   * @throws SpecificationException if one is out of range; the message names what to choose
    */
   public FractureSpec {
     if (parts < MIN_PARTS || parts > MAX_PARTS) {
-      throw new IllegalArgumentException(
-          "number of fragments out of range: "
-              + parts
-              + ": choose "
-              + MIN_PARTS
-              + " to "
-              + MAX_PARTS);
+      throw new SpecificationException(
+          "number of fragments out of range",
+          Integer.toString(parts),
+          "choose " + MIN_PARTS + " to " + MAX_PARTS);
     }
     if (kerfVoxels < 0 || kerfVoxels > MAX_KERF) {
-      throw new IllegalArgumentException(
-          "saw kerf out of range: " + kerfVoxels + ": choose 0 to " + MAX_KERF + " voxels");
+      throw new SpecificationException(
+          "saw kerf out of range",
+          Integer.toString(kerfVoxels),
+          "choose 0 to " + MAX_KERF + " voxels");
     }
   }
 
@@ -48,7 +49,7 @@ public record FractureSpec(int parts, long seed, int kerfVoxels) {
    * {@return what {@code PARTS[:SEED[:KERF]]} specifies, as in {@code 4:7:0}}
    *
    * @param text the text of a user
-   * @throws IllegalArgumentException if the text has another form; the message says what to write
+   * @throws SpecificationException if the text has another form; the message says what to write
    */
   public static FractureSpec parse(String text) {
     String[] words = text.split(":", -1);
@@ -70,9 +71,11 @@ public record FractureSpec(int parts, long seed, int kerfVoxels) {
     return Long.parseLong(word);
   }
 
-  private static IllegalArgumentException refusal(String text) {
-    return new IllegalArgumentException(
-        "fracture not understood: '" + text + "': write PARTS[:SEED[:KERF]], for example 4:7:1");
+  private static SpecificationException refusal(String text) {
+    return new SpecificationException(
+        "fracture not understood",
+        "'" + text + "'",
+        "write PARTS[:SEED[:KERF]], for example 4:7:1");
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.palpate.volume.phantom;
 import java.util.List;
 import org.palpate.geometry.Pose;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.SpecificationException;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.fracture.FractureSpec;
 import org.palpate.volume.fracture.FragmentCutter;
@@ -36,12 +37,12 @@ public record FracturePhantom(int edge, FractureSpec fracture) {
   /**
    * Checks the edge.
    *
-   * @throws IllegalArgumentException if the edge is out of range
+   * @throws SpecificationException if the edge is out of range
    */
   public FracturePhantom {
     if (edge < MIN_EDGE || edge > MAX_EDGE) {
-      throw new IllegalArgumentException(
-          "phantom edge out of range: edge=" + edge + ": choose " + MIN_EDGE + " to " + MAX_EDGE);
+      throw new SpecificationException(
+          "phantom edge out of range", "edge=" + edge, "choose " + MIN_EDGE + " to " + MAX_EDGE);
     }
   }
 
@@ -58,16 +59,14 @@ public record FracturePhantom(int edge, FractureSpec fracture) {
    * {@return what {@code fracture[:EDGE[:PARTS[:SEED[:KERF]]]]} specifies}
    *
    * @param spec the text of a user, one that {@link #accepts} takes
-   * @throws IllegalArgumentException if the text has another form; the message says what to write
+   * @throws SpecificationException if the text has another form; the message says what to write
    */
   public static FracturePhantom parse(String spec) {
     String[] words = spec.split(":", 3);
     String edge = words.length > 1 ? words[1] : Integer.toString(DEFAULT_EDGE);
     if (!edge.matches("[0-9]{1,9}")) {
-      throw new IllegalArgumentException(
-          "phantom edge is not a number: "
-              + spec
-              + ": write fracture[:EDGE[:PARTS[:SEED[:KERF]]]]");
+      throw new SpecificationException(
+          "phantom edge is not a number", spec, "write fracture[:EDGE[:PARTS[:SEED[:KERF]]]]");
     }
     String fracture = words.length > 2 ? words[2] : Integer.toString(DEFAULT_PARTS);
     return new FracturePhantom(Integer.parseInt(edge), FractureSpec.parse(fracture));

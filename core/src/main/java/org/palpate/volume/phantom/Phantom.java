@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.SpecificationException;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -81,12 +82,12 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
   /**
    * Checks the edge.
    *
-   * @throws IllegalArgumentException if the edge is out of range
+   * @throws SpecificationException if the edge is out of range
    */
   public Phantom {
     if (edge < MIN_EDGE || edge > MAX_EDGE) {
-      throw new IllegalArgumentException(
-          "phantom edge out of range: edge=" + edge + ": choose " + MIN_EDGE + " to " + MAX_EDGE);
+      throw new SpecificationException(
+          "phantom edge out of range", "edge=" + edge, "choose " + MIN_EDGE + " to " + MAX_EDGE);
     }
   }
 
@@ -94,15 +95,14 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
    * {@return what {@code NAME[:EDGE][:grey]} specifies, as in {@code torus:192:grey}}
    *
    * @param spec the text of a user
-   * @throws IllegalArgumentException if the text is no phantom; the message names what to choose
+   * @throws SpecificationException if the text is no phantom; the message names what to choose
    */
   public static Phantom parse(String spec) {
     String[] parts = spec.split(":", -1);
     boolean grey = parts.length > 1 && parts[parts.length - 1].equals("grey");
     int used = grey ? parts.length - 1 : parts.length;
     if (used > 2) {
-      throw new IllegalArgumentException(
-          "phantom not understood: " + spec + ": write NAME[:EDGE][:grey]");
+      throw new SpecificationException("phantom not understood", spec, "write NAME[:EDGE][:grey]");
     }
     int edge = used == 2 ? parseEdge(parts[1], spec) : DEFAULT_EDGE;
     return new Phantom(parseKind(parts[0], spec), edge, grey, DEFAULT_SEED);
@@ -114,16 +114,16 @@ public record Phantom(Kind kind, int edge, boolean grey, long seed) {
         return kind;
       }
     }
-    throw new IllegalArgumentException(
-        "no such phantom: "
-            + spec
-            + ": choose head, sphere, shell, plane, torus, maze, block or fracture");
+    throw new SpecificationException(
+        "no such phantom",
+        spec,
+        "choose head, sphere, shell, plane, torus, maze, block or fracture");
   }
 
   private static int parseEdge(String edge, String spec) {
     if (!edge.matches("[0-9]{1,9}")) {
-      throw new IllegalArgumentException(
-          "phantom edge is not a number: " + spec + ": write NAME[:EDGE][:grey]");
+      throw new SpecificationException(
+          "phantom edge is not a number", spec, "write NAME[:EDGE][:grey]");
     }
     return Integer.parseInt(edge);
   }

@@ -41,6 +41,7 @@ import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.SpecificationException;
 import org.palpate.volume.fracture.Fragments;
 import org.palpate.volume.phantom.FracturePhantom;
 import org.palpate.volume.phantom.Phantom;
@@ -171,9 +172,8 @@ public final class VolumeSource {
   private static <R> R phantom(Function<String, R> parser, String spec) {
     try {
       return parser.apply(spec);
-    } catch (IllegalArgumentException e) {
-      String[] parts = e.getMessage().split(": ", -1);
-      throw PalpateException.wrongUse(parts[0], "--phantom " + spec, parts[parts.length - 1], e);
+    } catch (SpecificationException e) {
+      throw PalpateException.wrongUse(e.what(), "--phantom " + spec, e.remedy(), e);
     }
   }
 
