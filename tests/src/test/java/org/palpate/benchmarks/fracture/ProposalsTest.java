@@ -32,8 +32,6 @@ import org.palpate.volume.fracture.PosedBits;
 class ProposalsTest {
   private static final String SEEDS = "palpate.proposals";
   private static final int PARTS = 4;
-  private static final double IN_PLACE_MM = 0.5;
-  private static final double IN_PLACE_DEGREES = 1;
 
   @Test
   void anArchWithThinWallsIsPutTogether() throws IOException {
@@ -94,7 +92,9 @@ class ProposalsTest {
     for (int n = 1; n < PARTS; n++) {
       Residual left = residual(fragments, n, poses.get(n), poses.get(0));
       inPlace +=
-          left.distanceMm() <= IN_PLACE_MM && left.angleDegrees() <= IN_PLACE_DEGREES ? 1 : 0;
+          left.distanceMm() <= PutBack.MOST_MM && left.angleDegrees() <= PutBack.MOST_DEGREES
+              ? 1
+              : 0;
     }
     return inPlace;
   }
