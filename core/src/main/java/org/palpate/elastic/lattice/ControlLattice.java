@@ -265,11 +265,8 @@ public final class ControlLattice {
   }
 
   private int cellOfVoxel(int i, int j, int k) {
-    int x = layout.cellOfVoxel(0, i);
-    int y = layout.cellOfVoxel(1, j);
-    int z = layout.cellOfVoxel(2, k);
-    boolean inside = x >= 0 && x < layout.cells(0) && y >= 0 && y < layout.cells(1);
-    return inside && z >= 0 && z < layout.cells(2) ? layout.cell(x, y, z) : -1;
+    return layout.cellOrNone(
+        layout.cellOfVoxel(0, i), layout.cellOfVoxel(1, j), layout.cellOfVoxel(2, k));
   }
 
   /** {@return the number of voxels of the segments that deform but cannot be touched} */

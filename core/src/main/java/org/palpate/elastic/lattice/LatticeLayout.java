@@ -247,6 +247,12 @@ public final class LatticeLayout {
     return x + cells[0] * (y + cells[1] * z);
   }
 
+  /** Returns the number of the cell with these indices, or -1 if they lie outside the lattice. */
+  int cellOrNone(int x, int y, int z) {
+    boolean inside = x >= 0 && y >= 0 && z >= 0 && x < cells[0] && y < cells[1] && z < cells[2];
+    return inside ? cell(x, y, z) : -1;
+  }
+
   /** Returns the index of a cell along an axis. */
   int cellIndex(int axis, int cell) {
     return switch (axis) {

@@ -199,11 +199,8 @@ public final class LatticeMatter {
     LatticeLayout layout = cells.layout();
     double sum = 0;
     for (int corner = 0; corner < LatticeLayout.CORNERS; corner++) {
-      int i = x - (corner & 1);
-      int j = y - (corner >> 1 & 1);
-      int k = z - (corner >> 2);
-      boolean inside = i >= 0 && j >= 0 && k >= 0 && i < layout.cells(0) && j < layout.cells(1);
-      int listed = inside && k < layout.cells(2) ? cells.indexOf(layout.cell(i, j, k)) : -1;
+      int cell = layout.cellOrNone(x - (corner & 1), y - (corner >> 1 & 1), z - (corner >> 2));
+      int listed = cell < 0 ? -1 : cells.indexOf(cell);
       sum += listed < 0 ? 0 : solidModulus[listed];
     }
     return sum;

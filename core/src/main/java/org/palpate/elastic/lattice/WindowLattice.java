@@ -292,11 +292,10 @@ public final class WindowLattice {
 
   /** Returns the place in the list of a part of a cell of the whole lattice, or -1. */
   private int listed(int wholeCell, int part) {
-    int x = index(0, wholeCell, part);
-    int y = index(1, wholeCell, part);
-    int z = index(2, wholeCell, part);
-    boolean inside = x >= 0 && y >= 0 && z >= 0 && x < layout.cells(0) && y < layout.cells(1);
-    return inside && z < layout.cells(2) ? cells.indexOf(layout.cell(x, y, z)) : -1;
+    int cell =
+        layout.cellOrNone(
+            index(0, wholeCell, part), index(1, wholeCell, part), index(2, wholeCell, part));
+    return cell < 0 ? -1 : cells.indexOf(cell);
   }
 
   private int index(int axis, int wholeCell, int part) {
