@@ -173,7 +173,8 @@ public final class StiffnessOperator {
     clearFixed(dest);
   }
 
-  private void addSprings(float[] from, float[] dest) {
+  /** Adds the stiffness of the springs of {@link #hold} times a displacement. */
+  void addSprings(float[] from, float[] dest) {
     for (int axis = 0; axis < 3; axis++) {
       int at = axis * nodes;
       for (int node = 0; node < nodes; node++) {

@@ -327,13 +327,7 @@ public final class WindowLattice {
    * @param dest three numbers for each node, N; changed in place
    */
   public void addHold(float[] displacement, float[] dest) {
-    float[] hold = matter.stiffness().hold();
-    for (int axis = 0; axis < 3; axis++) {
-      int at = axis * hold.length;
-      for (int node = 0; node < hold.length; node++) {
-        dest[at + node] += hold[node] * displacement[at + node];
-      }
-    }
+    matter.stiffness().addSprings(displacement, dest);
   }
 
   /**
