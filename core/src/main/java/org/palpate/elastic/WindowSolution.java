@@ -56,7 +56,7 @@ final class WindowSolution extends LatticeSolution {
     patch().place(material);
   }
 
-  /** Forgets what the window added, because the last field was not used. */
+  /** Forgets what the window added: the next solution starts from that of the whole lattice. */
   void restart() {
     for (float[] each : added) {
       Arrays.fill(each, 0);

@@ -71,8 +71,8 @@ public final class LatticeMatter {
   }
 
   /**
-   * Counts the voxels of a cell anew after an edit. The modulus in use follows with {@code
-   * CrushStiffening}.
+   * Counts the voxels of a cell anew after an edit. The modulus in use approaches the new one in
+   * the next updates.
    *
    * @param listed its place in the list of cells
    */
