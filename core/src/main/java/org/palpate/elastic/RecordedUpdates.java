@@ -32,9 +32,10 @@ public final class RecordedUpdates {
     this.recorded = List.copyOf(recorded);
     for (RecordedUpdate update : this.recorded) {
       for (RecordedUpdate.Refill refill : update.refills()) {
-        if (refill.cell() < 0 || refill.cell() >= body.lattice().refillCells()) {
+        int last = body.lattice().refillCells() - 1;
+        if (refill.cell() < 0 || refill.cell() > last) {
           throw new IllegalArgumentException(
-              "there is no cell " + refill.cell() + " among " + body.lattice().refillCells());
+              "an update sets cell " + refill.cell() + ", but cells are 0 to " + last);
         }
       }
     }

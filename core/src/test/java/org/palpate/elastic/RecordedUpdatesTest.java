@@ -171,12 +171,21 @@ class RecordedUpdatesTest {
   void refusesCellsOfAnotherLattice() {
     ElasticTouch touch = touch();
     int cells = touch.body.hexahedra();
+    new RecordedUpdates(touch.body, List.of(updateOf(cells - 1)));
+    for (int cell : new int[] {-1, cells}) {
+      IllegalArgumentException thrown =
+          assertThrows(
+              IllegalArgumentException.class,
+              () -> new RecordedUpdates(touch.body, List.of(updateOf(cell))));
+      assertEquals(
+          "an update sets cell " + cell + ", but cells are 0 to " + (cells - 1),
+          thrown.getMessage());
+    }
+  }
+
+  private static RecordedUpdate updateOf(int cell) {
     RecordedUpdate.Refill refill =
-        new RecordedUpdate.Refill(cells, new CellStiffness(1, 1, 1, 1, 1));
-    RecordedUpdate update = new RecordedUpdate(0, new Vec3(), new Vec3(), List.of(refill));
-    IllegalArgumentException thrown =
-        assertThrows(
-            IllegalArgumentException.class, () -> new RecordedUpdates(touch.body, List.of(update)));
-    assertEquals("there is no cell " + cells + " among " + cells, thrown.getMessage());
+        new RecordedUpdate.Refill(cell, new CellStiffness(1, 1, 1, 1, 1));
+    return new RecordedUpdate(0, new Vec3(), new Vec3(), List.of(refill));
   }
 }

@@ -244,7 +244,7 @@ class ElasticCommandTest {
       {"5,1,nan,1,0,0,0,\n", "y is nan"},
       {"5,1,1,1,0,0,0,7:1\n", "a cell is 7:1"},
       {"5,1,1,1,0,0,0,7:1:-1:1:1:1\n", "a number of a cell is negative: 7:1:-1:1:1:1"},
-      {"5,1,1,1,0,0,0,99999:1:1:1:1:1\n", "there is no cell 99999 among "},
+      {"5,1,1,1,0,0,0,99999:1:1:1:1:1\n", "an update sets cell 99999, but cells are 0 to "},
     };
     for (String[] each : cases) {
       Files.writeString(file("fields.csv"), header + each[0]);
