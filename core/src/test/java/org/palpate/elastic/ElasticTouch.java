@@ -1,5 +1,7 @@
 package org.palpate.elastic;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.util.List;
 import java.util.OptionalDouble;
 import org.palpate.collision.CollisionScene;
@@ -122,6 +124,16 @@ final class ElasticTouch {
     fill(bits, rim, end, rim, end, rim, end);
     ElasticSegment soft = new ElasticSegment(bits, new ElasticMaterial(1e4, 0.3));
     return new ControlLattice(metric, List.of(soft), List.of(), edgeMm);
+  }
+
+  /** Asserts that the inverse of a map, begun near a material point, undoes the map at another. */
+  static void assertInverseUndoes(DeformationMap map, Vec3 material, Vec3 near) {
+    Vec3 present = map.forward(material, new Vec3());
+    Vec3 back = new Vec3().set(near);
+    map.inverse(present, back, back);
+    Vec3 again = map.forward(back, new Vec3());
+    assertEquals(0, again.sub(present, again).length(), 1e-9, "present");
+    assertEquals(0, back.sub(material, back).length(), 1e-8, "material");
   }
 
   static void fill(BitCube bits, int x0, int x1, int y0, int y1, int z0, int z1) {
