@@ -1,6 +1,7 @@
 package org.palpate.elastic;
 
 import java.util.function.Function;
+import org.palpate.elastic.lattice.ConjugateGradients;
 import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.elastic.lattice.LatticeLayout;
 import org.palpate.elastic.lattice.Vectors;
@@ -32,7 +33,8 @@ public final class WindowVariants {
     int[] firstCell = {window.firstCell(0), window.firstCell(1), window.firstCell(2)};
     float[] force = load.apply(window.layout());
     float[] solution = new float[force.length];
-    window.rotate(solution);
+    ConjugateGradients solver = window.newSolver();
+    solver.rotate(solution);
     nodes.interpolate(displacement, nodes.firstNode(firstCell), solution);
     float[] residual = new float[force.length];
     window.matter().stiffness().multiply(solution, residual);
@@ -42,7 +44,7 @@ public final class WindowVariants {
       residual[n] = isFixed ? 0 : force[n] - residual[n];
     }
     double goal = RESIDUAL * Vectors.norm(force);
-    window.newSolver().solve(residual, solution, goal, MOST_STEPS);
+    solver.solve(residual, solution, goal, MOST_STEPS);
     return Vectors.dot(force, solution);
   }
 }

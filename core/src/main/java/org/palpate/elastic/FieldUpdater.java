@@ -149,8 +149,6 @@ final class FieldUpdater {
   private void solve(ElasticLoad next) {
     predict(next.forceNewton);
     boolean scaledBack = whole.unfold(proved); // So that rotations are those of a shape.
-    whole.stiffen();
-    lattice.rotate(whole.displacement());
     counters.noteResidual(whole.solve(force, settings.residual()));
     scaledBack |= whole.unfold(proved);
     counters.count(scaledBack);

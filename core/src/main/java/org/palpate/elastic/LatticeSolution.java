@@ -105,19 +105,17 @@ class LatticeSolution {
     return guard.unfold(displacement(), proved);
   }
 
-  /** Stiffens the cells that the last {@link #unfold} found crushed. */
-  final void stiffen() {
-    stiffening.update(guard.determinants());
-  }
-
   /**
-   * Solves for the displacement and the answers.
+   * Solves for the displacement and the answers. Before that it stiffens the cells that the last
+   * {@link #unfold} found crushed, and turns all cells with the displacement.
    *
    * @param forceNewton the force along each axis
    * @param goal the residual of the displacement at which to stop, over its load
    * @return the residual of the displacement, over its load
    */
   final double solve(double[] forceNewton, double goal) {
+    stiffening.update(guard.determinants());
+    solver.rotate(displacement());
     double left = solveDisplacement(forceNewton, goal);
     for (int axis = 0; axis < DISPLACEMENT; axis++) {
       solveAnswer(axis);

@@ -79,8 +79,6 @@ final class WindowSolution extends LatticeSolution {
       join(n, added[n]);
     }
     unfold(base[DISPLACEMENT]);
-    stiffen();
-    window.rotate(displacement());
     double left = solve(forceNewton, goal);
     unfold(base[DISPLACEMENT]);
     for (int n = 0; n < base.length; n++) {

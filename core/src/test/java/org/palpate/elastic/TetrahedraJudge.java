@@ -1,6 +1,10 @@
 package org.palpate.elastic;
 
 import java.math.BigDecimal;
+import java.util.function.IntFunction;
+import java.util.function.IntPredicate;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
 import org.palpate.elastic.lattice.ControlLattice;
 import org.palpate.elastic.lattice.LatticeLayout;
 
@@ -14,50 +18,53 @@ final class TetrahedraJudge {
 
   /** Returns the number of tetrahedra that are not positive. */
   static long folded(ControlLattice lattice, DeformationMap map) {
+    LatticeLayout layout = lattice.layout();
+    IntFunction<double[]> position = node -> vector(axis -> map.nodePosition(node, axis));
     DeformationField field = map.field();
-    Present whole =
-        (node, axis) -> lattice.layout().nodeIndex(axis, node) + map.displacement(node, axis);
     if (!field.hasWindow()) {
-      return folded(lattice.layout(), whole, (x, y, z) -> true);
+      return folded(layout, node -> true, position);
     }
-    LatticeLayout layout = field.window.nodes().layout();
-    return folded(lattice.layout(), whole, (x, y, z) -> !field.window.covers(x, y, z))
+    LatticeLayout inWindow = field.window.nodes().layout();
+    return folded(layout, node -> !isCovered(field, layout, node), position)
         + folded(
-            layout,
-            (node, axis) -> layout.nodeIndex(axis, node) + map.windowDisplacement(node, axis),
-            (x, y, z) -> true);
+            inWindow,
+            node -> true,
+            node ->
+                vector(
+                    axis -> inWindow.nodeIndex(axis, node) + map.windowDisplacement(node, axis)));
   }
 
-  /** The present position of a node along an axis, in cells. */
-  private interface Present {
-    double of(int node, int axis);
+  private static double[] vector(IntToDoubleFunction component) {
+    return IntStream.range(0, 3).mapToDouble(component).toArray();
   }
 
-  /** Chooses cells. */
-  private interface Choice {
-    boolean takes(int x, int y, int z);
+  /** Whether the window takes the place of the cell that begins at a node. */
+  private static boolean isCovered(DeformationField field, LatticeLayout layout, int node) {
+    return field.window.covers(
+        layout.nodeIndex(0, node), layout.nodeIndex(1, node), layout.nodeIndex(2, node));
   }
 
-  private static long folded(LatticeLayout layout, Present present, Choice choice) {
-    long folded = 0;
-    double[][] corner = new double[8][3];
-    for (int z = 0; z < layout.cells(2); z++) {
-      for (int y = 0; y < layout.cells(1); y++) {
-        for (int x = 0; x < layout.cells(0); x++) {
-          if (!choice.takes(x, y, z)) {
-            continue;
-          }
-          for (int n = 0; n < 8; n++) {
-            int node = layout.node(x + (n & 1), y + (n >> 1 & 1), z + (n >> 2));
-            for (int axis = 0; axis < 3; axis++) {
-              corner[n][axis] = present.of(node, axis);
-            }
-          }
-          folded += foldedOf(corner);
-        }
-      }
+  /** Counts in the chosen ones of the cells, each of which begins at a node. */
+  private static long folded(
+      LatticeLayout layout, IntPredicate chosen, IntFunction<double[]> position) {
+    return IntStream.range(0, layout.nodeCount())
+        .filter(node -> IntStream.range(0, 3).allMatch(a -> isBeforeLast(layout, a, node)))
+        .filter(chosen)
+        .mapToLong(node -> foldedOf(corners(layout, node, position)))
+        .sum();
+  }
+
+  private static boolean isBeforeLast(LatticeLayout layout, int axis, int node) {
+    return layout.nodeIndex(axis, node) < layout.cells(axis);
+  }
+
+  private static double[][] corners(
+      LatticeLayout layout, int first, IntFunction<double[]> position) {
+    double[][] corners = new double[8][];
+    for (int n = 0; n < corners.length; n++) {
+      corners[n] = position.apply(first + layout.node(n & 1, n >> 1 & 1, n >> 2));
     }
-    return folded;
+    return corners;
   }
 
   /**

@@ -21,6 +21,8 @@ import org.palpate.volume.BitCube;
 /** Random fields with a window: one continuous map, and its proof. */
 class WindowFieldTest {
   private static final double EDGE = 4;
+  private static final double SMALL_NEWTON = 1e-3;
+  private static final double LARGE_NEWTON = 1e4;
   private final Random random = new Random(Seeds.seed());
   private ControlLattice lattice;
   private WindowNodes nodes;
@@ -214,18 +216,23 @@ class WindowFieldTest {
     }
   }
 
+  /** Small forces lie in the room and are kept, large ones are clipped to it. */
   @ParameterizedTest
   @ValueSource(ints = {2, 4})
   void noForceInTheRoomFoldsATetrahedronAnywhereOnASlide(int factor) {
     makeLattice(factor);
-    int clipped = 0;
-    for (int n = 0; n < 4; n++) {
+    for (double newton : new double[] {SMALL_NEWTON, 0.1, 1, 10, LARGE_NEWTON}) {
       newProvedSlide(0.08, Math.pow(10, -2 + random.nextDouble()));
-      double size = Math.pow(10, -1 + 2 * random.nextDouble());
-      clipped += map.setForce(random(size), random(size), -size * random.nextDouble()) ? 1 : 0;
-      assertEquals(0, TetrahedraJudge.folded(lattice, map), "field " + n);
+      Vec3 wanted = new Vec3(random(newton), random(newton), -newton * random.nextDouble());
+      boolean clipped = map.setForce(wanted.x, wanted.y, wanted.z);
+      if (newton == SMALL_NEWTON || newton == LARGE_NEWTON) {
+        assertEquals(newton == LARGE_NEWTON, clipped, wanted + " N");
+      }
+      assertEquals(0, TetrahedraJudge.folded(lattice, map), wanted + " N");
+      Vec3 used = new Vec3();
+      map.force(used);
+      assertEquals(clipped, used.sub(wanted, used).length() > 0, wanted + " N, off by " + used);
     }
-    System.out.printf("clipped %d of 4%n", clipped);
   }
 
   @Test

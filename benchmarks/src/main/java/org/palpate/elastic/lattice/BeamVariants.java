@@ -75,8 +75,9 @@ public final class BeamVariants {
             edgeMm);
     float[] load = new float[3 * lattice.layout().nodeCount()];
     loadTip(lattice.layout(), margin + length, margin, margin + width, margin, height, load);
-    lattice.rotate(new float[load.length]);
-    return compliance(lattice.newSolver(), load);
+    ConjugateGradients solver = lattice.newSolver();
+    solver.rotate(new float[load.length]);
+    return compliance(solver, load);
   }
 
   static void fill(BitCube bits, int x0, int x1, int y0, int y1, int z0, int z1) {

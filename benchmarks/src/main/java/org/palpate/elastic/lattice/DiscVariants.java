@@ -47,8 +47,9 @@ public final class DiscVariants {
     DiscVariants disc = new DiscVariants(edge, radiusMm, poisson, (int) (4 * cellMm));
     ControlLattice lattice = disc.lattice(cellMm, OptionalDouble.empty());
     float[] load = disc.load(lattice.layout());
-    lattice.rotate(new float[load.length]);
-    return BeamVariants.compliance(lattice.newSolver(), load);
+    ConjugateGradients solver = lattice.newSolver();
+    solver.rotate(new float[load.length]);
+    return BeamVariants.compliance(solver, load);
   }
 
   /** Solves a window at a place for a load, and returns the depth of the disc, mm/N. */
@@ -80,8 +81,9 @@ public final class DiscVariants {
     ControlLattice lattice = disc.lattice(cellMm, OptionalDouble.of(radiusMm));
     float[] load = disc.load(lattice.layout());
     float[] displacement = new float[load.length];
-    lattice.rotate(displacement);
-    BeamVariants.solve(lattice.newSolver(), load, displacement);
+    ConjugateGradients solver = lattice.newSolver();
+    solver.rotate(displacement);
+    BeamVariants.solve(solver, load, displacement);
     double middle = disc.margin + edge / 2.0;
     double[] at = {middle, middle, (double) disc.margin + edge};
     for (int axis = 0; axis < 3; axis++) {

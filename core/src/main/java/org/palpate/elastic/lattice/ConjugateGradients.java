@@ -8,19 +8,29 @@ package org.palpate.elastic.lattice;
  */
 public final class ConjugateGradients {
   private final StiffnessOperator stiffness;
-  private final Preconditioner preconditioner;
+  private final MultigridPreconditioner preconditioner;
   private final float[] z;
   private final float[] p;
   private final float[] q;
   private double residualNorm;
 
-  ConjugateGradients(StiffnessOperator stiffness, Preconditioner preconditioner) {
+  ConjugateGradients(StiffnessOperator stiffness, MultigridPreconditioner preconditioner) {
     this.stiffness = stiffness;
     this.preconditioner = preconditioner;
     int size = 3 * stiffness.cells().layout().nodeCount();
     z = new float[size];
     p = new float[size];
     q = new float[size];
+  }
+
+  /**
+   * Turns the cells with a displacement, so that the stiffness is that of the present shape.
+   *
+   * @param displacement three numbers for each node, mm
+   */
+  public void rotate(float[] displacement) {
+    stiffness.rotate(displacement);
+    preconditioner.refresh(displacement);
   }
 
   /**

@@ -3,13 +3,14 @@ package org.palpate.elastic.lattice;
 import java.util.Arrays;
 
 /**
- * One symmetric V-cycle over lattices with cells of doubled edges. Chebyshev polynomials of the
- * inverse diagonal smooth each level, and solve the coarsest one roughly.
+ * Approximates the inverse of a stiffness by a symmetric V-cycle over lattices with cells of
+ * doubled edges. Chebyshev polynomials of the inverse diagonal smooth each level, and solve the
+ * coarsest one roughly.
  *
  * <p>Reference: Briggs, Henson, McCormick 2000, "A Multigrid Tutorial". One thread; allocates
  * nothing after construction.
  */
-final class MultigridPreconditioner implements Preconditioner {
+final class MultigridPreconditioner {
   private static final int MOST_LEVELS = 4;
   private static final int SMOOTHING_DEGREE = 1;
   private static final int COARSEST_DEGREE = 8;
@@ -180,8 +181,8 @@ final class MultigridPreconditioner implements Preconditioner {
     }
   }
 
-  @Override
-  public void solve(float[] residual, float[] dest) {
+  /** Writes the approximate solution for a residual into {@code dest}. */
+  void solve(float[] residual, float[] dest) {
     System.arraycopy(residual, 0, levels[0].residual, 0, residual.length);
     cycle(0);
     System.arraycopy(levels[0].solution, 0, dest, 0, dest.length);

@@ -354,17 +354,7 @@ public final class WindowLattice {
     return matter;
   }
 
-  /**
-   * Turns the cells with a displacement, so that the stiffness is that of the present shape.
-   *
-   * @param displacement three numbers for each node, mm
-   */
-  public void rotate(float[] displacement) {
-    matter.stiffness().rotate(displacement);
-    preconditioner.refresh(displacement);
-  }
-
-  /** {@return a solver; {@link #rotate} must come before its first solution} */
+  /** {@return a solver; {@link ConjugateGradients#rotate} must come before its first solution} */
   public ConjugateGradients newSolver() {
     return new ConjugateGradients(matter.stiffness(), preconditioner);
   }

@@ -171,16 +171,15 @@ class StiffnessOperatorTest {
       LatticeLayout layout = layout(4, 4, 4);
       StiffnessOperator operator = operator(layout, true);
       float[] shape = randomVector(layout, 0.5);
-      operator.rotate(shape);
-      MultigridPreconditioner multigrid = new MultigridPreconditioner(operator, POISSON);
-      multigrid.refresh(shape);
+      ConjugateGradients solver =
+          new ConjugateGradients(operator, new MultigridPreconditioner(operator, POISSON));
+      solver.rotate(shape);
       float[] load = randomVector(layout, 1);
       for (int i = 0; i < load.length; i++) {
         load[i] = operator.cells().isFixed(i % layout.nodeCount()) ? 0 : load[i];
       }
       double[] expected = new DenseStiffness(operator, POISSON, shape).solve(load);
       float[] found = new float[load.length];
-      ConjugateGradients solver = new ConjugateGradients(operator, multigrid);
       int steps = solver.solve(load.clone(), found, 1e-5 * Vectors.norm(load), 200);
       double size = 0;
       double error = 0;
