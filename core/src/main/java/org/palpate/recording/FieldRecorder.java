@@ -1,9 +1,9 @@
 package org.palpate.recording;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.palpate.elastic.RecordedUpdate;
@@ -12,39 +12,29 @@ import org.palpate.elastic.lattice.CellStiffness;
 import org.palpate.geometry.Vec3;
 
 /**
- * Ring buffers of the updates of elastic segments, from the thread that computes them and from the
+ * Buffers of the updates of elastic segments, from the thread that computes them and from the
  * haptic thread, which uses their fields.
  *
- * <p>One writer of updates and one writer of uses. One reader, a {@link RecordingThread}. A full
- * buffer drops the newest entry and counts it.
+ * <p>One writer of updates, which may allocate: a large edit changes every cell of a lattice, and
+ * with a fine window 64 short ones in each. One writer of uses, which neither waits nor allocates;
+ * its ring buffer, if full, drops the newest use and counts it. One reader, a {@link
+ * RecordingThread}.
  */
 public final class FieldRecorder {
-  /** The number of updates: over two minutes at the usual rate. */
-  private static final int UPDATES = 1 << 12;
+  /** The number of uses that fit: over two minutes at the usual rate. */
+  private static final int USES = 1 << 12;
 
-  /**
-   * The number of cells: some fifty of the largest edits. With a fine window there are up to 64
-   * short ones for each.
-   */
-  private static final int REFILLS = 1 << 16;
-
-  private static final int WORDS_AN_UPDATE = 6;
-  private static final int WORDS_A_REFILL = 5;
   private static final int WORDS_A_USE = 2;
 
-  private final WordRing updates = new WordRing(UPDATES, WORDS_AN_UPDATE);
-  private final WordRing refills = new WordRing(REFILLS, WORDS_A_REFILL);
-  private final WordRing uses = new WordRing(UPDATES, WORDS_A_USE);
+  /** The updates that are not read yet. */
+  private final Queue<RecordedUpdate> updates = new ConcurrentLinkedQueue<>();
 
-  /** The number of the next update. Writer of updates. */
-  private long writing;
+  private final WordRing uses = new WordRing(USES, WORDS_A_USE);
 
-  /** Updates that were read, and whether they were used is not known yet. Reader. */
-  private final Deque<RecordedUpdate> waiting = new ArrayDeque<>();
+  /** The cells of the next update. Writer of updates. */
+  private List<RecordedUpdate.Refill> refills = new ArrayList<>();
 
-  /** The numbers of the first that waits, and of the next that is read. Reader. */
-  private long firstWaiting;
-
+  /** The number of the next update that is read. Reader. */
   private long reading;
 
   /**
@@ -57,7 +47,7 @@ public final class FieldRecorder {
     return new UpdateListener() {
       @Override
       public void refilled(int cell, CellStiffness stiffness) {
-        offerRefill(cell, stiffness);
+        refills.add(new RecordedUpdate.Refill(cell, stiffness));
       }
 
       @Override
@@ -72,41 +62,11 @@ public final class FieldRecorder {
     };
   }
 
-  private void offerRefill(int cell, CellStiffness stiffness) {
-    int from = refills.claim();
-    if (from == WordRing.FULL) {
-      return;
-    }
-    refills.set(from, writing);
-    refills.set(from + 1, cell);
-    refills.set(from + 2, pair(stiffness.solidModulus(), stiffness.restModulus()));
-    refills.set(from + 3, pair(stiffness.momentX(), stiffness.momentY()));
-    refills.set(from + 4, pair(stiffness.momentZ(), 0));
-    refills.publish();
-  }
-
-  private static long pair(float high, float low) {
-    return (long) Float.floatToRawIntBits(high) << Integer.SIZE
-        | Integer.toUnsignedLong(Float.floatToRawIntBits(low));
-  }
-
-  private float high(int at) {
-    return Float.intBitsToFloat((int) (refills.get(at) >>> Integer.SIZE));
-  }
-
-  private float low(int at) {
-    return Float.intBitsToFloat((int) refills.get(at));
-  }
-
   private void offerUpdate(Vec3 point, Vec3 forceNewton) {
-    writing++;
-    int from = updates.claim();
-    if (from == WordRing.FULL) {
-      return;
-    }
-    updates.set(from, point);
-    updates.set(from + 3, forceNewton);
-    updates.publish();
+    Vec3 at = new Vec3().set(point);
+    Vec3 force = new Vec3().set(forceNewton);
+    updates.add(new RecordedUpdate(RecordedUpdate.UNUSED, at, force, refills));
+    refills = new ArrayList<>();
   }
 
   private void offerUse(long sample, long update) {
@@ -122,23 +82,21 @@ public final class FieldRecorder {
   /**
    * Moves updates up to the last one that was used into a sink, in their order. Reader.
    *
-   * <p>A field is used after its update was added, so uses are counted first.
+   * <p>A field is used after its update was added, so the update of each use is there.
    *
    * @param sink receives each update with the frame that first used it, or with {@link
    *     RecordedUpdate#UNUSED}
    */
   public void drainTo(Consumer<RecordedUpdate> sink) {
-    int used = uses.available();
-    readUpdates();
-    for (; used > 0; used--) {
+    for (int used = uses.available(); used > 0; used--) {
       int from = uses.oldest();
+      long sample = uses.get(from);
       long update = uses.get(from + 1);
-      while (firstWaiting <= update && !waiting.isEmpty()) {
-        long frame = firstWaiting == update ? uses.get(from) : RecordedUpdate.UNUSED;
-        sink.accept(withFrame(waiting.remove(), frame));
-        firstWaiting++;
-      }
       uses.release();
+      for (; reading <= update; reading++) {
+        long frame = reading == update ? sample : RecordedUpdate.UNUSED;
+        sink.accept(withFrame(updates.remove(), frame));
+      }
     }
   }
 
@@ -146,41 +104,8 @@ public final class FieldRecorder {
     return new RecordedUpdate(frame, update.point(), update.forceNewton(), update.refills());
   }
 
-  private void readUpdates() {
-    for (int left = updates.available(); left > 0; left--) {
-      int from = updates.oldest();
-      waiting.add(
-          new RecordedUpdate(RecordedUpdate.UNUSED, vector(from), vector(from + 3), readRefills()));
-      updates.release();
-      reading++;
-    }
-  }
-
-  private Vec3 vector(int from) {
-    Vec3 vector = new Vec3();
-    updates.get(from, vector);
-    return vector;
-  }
-
-  /** Reads the cells that belong to the update that is read. */
-  private List<RecordedUpdate.Refill> readRefills() {
-    List<RecordedUpdate.Refill> cells = new ArrayList<>();
-    for (int left = refills.available(); left > 0; left--) {
-      int from = refills.oldest();
-      if (refills.get(from) != reading) {
-        break;
-      }
-      CellStiffness stiffness =
-          new CellStiffness(
-              high(from + 2), low(from + 2), high(from + 3), low(from + 3), high(from + 4));
-      cells.add(new RecordedUpdate.Refill((int) refills.get(from + 1), stiffness));
-      refills.release();
-    }
-    return cells;
-  }
-
-  /** {@return the number of entries that were dropped because a buffer was full} Any thread. */
+  /** {@return the number of uses that were dropped because their buffer was full} Any thread. */
   public long overflows() {
-    return updates.overflows() + refills.overflows() + uses.overflows();
+    return uses.overflows();
   }
 }

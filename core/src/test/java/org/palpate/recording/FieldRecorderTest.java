@@ -68,11 +68,48 @@ class FieldRecorderTest {
     assertEquals(0, recorder.overflows());
   }
 
+  /** A lattice of 16 x 16 x 16 cells with a window of quarter cells has this many in all. */
   @Test
-  void countsWhatAFullBufferDrops() {
+  void keepsEveryCellOfAnEditOfAWholeLattice() {
+    int cells = 65 * 4096;
+    for (int n = 0; n < 2; n++) {
+      for (int cell = 0; cell < cells; cell++) {
+        listener.refilled(cell, cell % 2 == 0 ? SOFT : EMPTY);
+      }
+      update(n);
+      listener.used(n);
+    }
+    recorder.drainTo(read::add);
+    assertEquals(0, recorder.overflows());
+    assertEquals(2, read.size());
+    for (RecordedUpdate each : read) {
+      assertEquals(cells, each.refills().size());
+      assertEquals(new RecordedUpdate.Refill(0, SOFT), each.refills().get(0));
+      assertEquals(new RecordedUpdate.Refill(cells - 1, EMPTY), each.refills().get(cells - 1));
+    }
+  }
+
+  @Test
+  void aLoadThatChangesLaterStaysAsItWas() {
+    Vec3 point = new Vec3(1, 2, 3);
+    Vec3 force = new Vec3(0, 0, -1);
+    listener.updating(point, force);
+    point.x = 9;
+    force.z = -9;
+    listener.used(0);
+    recorder.drainTo(read::add);
+    assertEquals(1, read.get(0).point().x);
+    assertEquals(-1, read.get(0).forceNewton().z);
+  }
+
+  @Test
+  void countsTheUsesThatAFullBufferDrops() {
     for (int n = 0; n < 5000; n++) {
       update(n);
+      listener.used(n);
     }
     assertEquals(5000 - 4096, recorder.overflows());
+    recorder.drainTo(read::add);
+    assertEquals(4096, read.size());
   }
 }
