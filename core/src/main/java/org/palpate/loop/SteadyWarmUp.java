@@ -1,16 +1,21 @@
 package org.palpate.loop;
 
-import java.lang.management.CompilationMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.Arrays;
-import java.util.function.LongSupplier;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongConsumer;
 
 /**
  * Repeats a frame until its time is steady, so that a session's first frames run compiled code. One
  * thread uses an instance, once.
  *
- * <p>The time is steady if two things hold over four batches of 500 frames: the medians of the
- * batches differ by at most a quarter of the least, and the JVM compiled nothing.
+ * <p>The time is steady if two things hold: the medians of four batches of 500 frames differ by at
+ * most a quarter of the least, and the JVM's second compiler has nothing left to do. The medians
+ * alone say little. Frames of code of the first compiler have a steady time too, and a large method
+ * waits longer for the second one than thousands of frames take.
+ *
+ * <p>The thread rests between two batches. A haptic thread of a real-time class would otherwise
+ * keep a processor from the compiler that it waits for.
  */
 public final class SteadyWarmUp {
   private static final int FRAMES_A_BATCH = 500;
@@ -22,13 +27,23 @@ public final class SteadyWarmUp {
   /** Medians may always differ by this, because the clock has steps. */
   private static final long CLOCK_STEP_NANOS = 60;
 
+  /** The rest after a batch. */
+  private static final long REST_NANOS = 1_000_000;
+
+  /** The time between two questions to the compiler, which stop the JVM for a moment. */
+  private static final long QUESTION_NANOS = 50_000_000;
+
+  /** The idle answers in a row that are needed, because the frames between may give new work. */
+  private static final int IDLE_ANSWERS = 2;
+
   private final NanoClock clock;
-  private final LongSupplier compileMillis;
+  private final BooleanSupplier compilerIsBusy;
+  private final LongConsumer rest;
   private final long[] times = new long[FRAMES_A_BATCH];
   private final long[] medians = new long[STEADY_BATCHES];
   private int batches;
-  private long lastCompileMillis;
-  private int batchesWithoutCompilation;
+  private long askedNanos;
+  private int idleAnswers;
 
   /** Makes a warm-up that uses the machine's clock and the JVM's compiler. */
   public SteadyWarmUp() {
@@ -41,19 +56,13 @@ public final class SteadyWarmUp {
    * @param clock measures the frames
    */
   public SteadyWarmUp(NanoClock clock) {
-    this(clock, SteadyWarmUp::compilationMillis);
+    this(clock, new SecondCompiler(), LockSupport::parkNanos);
   }
 
-  SteadyWarmUp(NanoClock clock, LongSupplier compileMillis) {
+  SteadyWarmUp(NanoClock clock, BooleanSupplier compilerIsBusy, LongConsumer rest) {
     this.clock = clock;
-    this.compileMillis = compileMillis;
-  }
-
-  private static long compilationMillis() {
-    CompilationMXBean compiler = ManagementFactory.getCompilationMXBean();
-    return compiler != null && compiler.isCompilationTimeMonitoringSupported()
-        ? compiler.getTotalCompilationTime()
-        : 0;
+    this.compilerIsBusy = compilerIsBusy;
+    this.rest = rest;
   }
 
   /**
@@ -66,13 +75,16 @@ public final class SteadyWarmUp {
    */
   public Result run(Runnable frame, int minFrames, long limitNanos) {
     long start = clock.nanoTime();
-    lastCompileMillis = compileMillis.getAsLong();
+    askedNanos = start;
     boolean steady = false;
     while (!steady && clock.nanoTime() - start < limitNanos) {
       medians[batches % STEADY_BATCHES] = medianOfBatch(frame);
       batches++;
-      updateCompilation();
+      askCompiler();
       steady = (long) batches * FRAMES_A_BATCH >= minFrames && isSteady();
+      if (!steady) {
+        rest.accept(REST_NANOS);
+      }
     }
     long frames = (long) batches * FRAMES_A_BATCH;
     return new Result(steady, frames, clock.nanoTime() - start, lastMedian());
@@ -92,14 +104,16 @@ public final class SteadyWarmUp {
     return times[FRAMES_A_BATCH / 2];
   }
 
-  private void updateCompilation() {
-    long millis = compileMillis.getAsLong();
-    batchesWithoutCompilation = millis == lastCompileMillis ? batchesWithoutCompilation + 1 : 0;
-    lastCompileMillis = millis;
+  private void askCompiler() {
+    long nowNanos = clock.nanoTime();
+    if (nowNanos - askedNanos >= QUESTION_NANOS) {
+      askedNanos = nowNanos;
+      idleAnswers = compilerIsBusy.getAsBoolean() ? 0 : idleAnswers + 1;
+    }
   }
 
   private boolean isSteady() {
-    if (batches < STEADY_BATCHES || batchesWithoutCompilation < STEADY_BATCHES) {
+    if (batches < STEADY_BATCHES || idleAnswers < IDLE_ANSWERS) {
       return false;
     }
     long least = Arrays.stream(medians).min().orElseThrow();

@@ -11,7 +11,7 @@ import org.palpate.frame.HapticFrame;
  * the same target, no publisher and no recorder. No person holds a device meanwhile.
  *
  * <pre>
- *   settings.withWarmUp(new WarmUp(rehearsal, 10_000, 1_500_000_000L, NanoClock.SYSTEM))
+ *   settings.withWarmUp(WarmUp.ofSession(rehearsal))
  * </pre>
  */
 public final class WarmUp implements Runnable {
@@ -20,6 +20,15 @@ public final class WarmUp implements Runnable {
    * the least number of frames shows every gesture.
    */
   public static final long PERIOD_NANOS = 1_000_000;
+
+  /** In so many frames the simulated hand makes every gesture. */
+  private static final int SESSION_MIN_FRAMES = 10_000;
+
+  /**
+   * The longest warm-up of a session. On an idle machine the JVM's second compiler is done with the
+   * frames of a point after one to two seconds.
+   */
+  private static final long SESSION_BUDGET_NANOS = 3_000_000_000L;
 
   private final HapticFrame rehearsal;
   private final int minFrames;
@@ -42,6 +51,16 @@ public final class WarmUp implements Runnable {
     this.minFrames = minFrames;
     this.budgetNanos = budgetNanos;
     this.clock = clock;
+  }
+
+  /**
+   * {@return the warm-up of a session, which takes three seconds at most}
+   *
+   * @param rehearsal a frame over a simulated device with {@link #PERIOD_NANOS}; it reads the
+   *     session's scene and has no edits
+   */
+  public static WarmUp ofSession(HapticFrame rehearsal) {
+    return new WarmUp(rehearsal, SESSION_MIN_FRAMES, SESSION_BUDGET_NANOS, NanoClock.SYSTEM);
   }
 
   @Override

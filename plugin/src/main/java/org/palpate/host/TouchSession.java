@@ -57,10 +57,6 @@ import org.palpate.volume.VoxelGrid;
  * One thread creates, supervises and closes a session; any thread may call {@link #stop}.
  */
 public final class TouchSession implements AutoCloseable {
-  /** The least number of warm-up frames, so that the force begins with compiled code. */
-  private static final int WARM_UP_MIN_FRAMES = 10_000;
-
-  private static final long WARM_UP_NANOS = 1_000_000_000L;
   private static final long WARM_UP_SEED = 1;
 
   /** The time for which a session waits for updates of elastic segments to come back. */
@@ -121,7 +117,8 @@ public final class TouchSession implements AutoCloseable {
     edits = scene.edits();
     cuts = scene.carve().isPresent();
     HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, scene.handTarget(), WarmUp.PERIOD_NANOS);
-    Runnable warmUp = warmUp(scene.newWarmUpFrame(hand, frameSettings, settings.elastic()));
+    Runnable warmUp =
+        WarmUp.ofSession(scene.newWarmUpFrame(hand, frameSettings, settings.elastic()));
     elastic = settings.elastic().map(Supplier::get);
     long sampleNanos = Math.max(settings.loop().periodNanos(), specification.reportIntervalNanos());
     elastic.ifPresent(body -> frame.deform(body.contact().paced(sampleNanos)));
@@ -162,7 +159,7 @@ public final class TouchSession implements AutoCloseable {
     tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
     HapticDevice hand =
         SimulatedDevice.withOrientation(WARM_UP_SEED, scene.handTarget(), WarmUp.PERIOD_NANOS);
-    Runnable warmUp = warmUp(scene.newWarmUpFrame(hand, frameSettings, coupling));
+    Runnable warmUp = WarmUp.ofSession(scene.newWarmUpFrame(hand, frameSettings, coupling));
     loop = newLoop(frame, settings, warmUp);
     held = Optional.of(new HeldTool(scene, frame, publisher));
     mass = Optional.empty();
@@ -192,10 +189,6 @@ public final class TouchSession implements AutoCloseable {
               }
             });
     return new HapticLoop(frame, settings.loop().withWarmUp(warmUp), settings.listener());
-  }
-
-  private static Runnable warmUp(HapticFrame frame) {
-    return new WarmUp(frame, WARM_UP_MIN_FRAMES, WARM_UP_NANOS, NanoClock.SYSTEM);
   }
 
   /** Publishes the frame of a point to both readers. Haptic thread. */

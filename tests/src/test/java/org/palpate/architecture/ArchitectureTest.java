@@ -395,7 +395,7 @@ class ArchitectureTest {
                         BASE + "volume..")))
         .should()
         .onlyDependOnClassesThat()
-        .resideInAnyPackage("java..", "org.HdrHistogram..", "org.palpate..")
+        .resideInAnyPackage("java..", "javax.management..", "org.HdrHistogram..", "org.palpate..")
         .check(CLASSES);
   }
 

@@ -1,0 +1,56 @@
+package org.palpate.loop;
+
+import java.lang.management.CompilationMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.function.BooleanSupplier;
+import javax.management.JMException;
+import javax.management.MBeanServer;
+import javax.management.ObjectName;
+
+/**
+ * Tells whether the JVM's second compiler, which makes the fast code, still has work.
+ *
+ * <p>HotSpot lists the methods that it compiles and those that wait. A JVM without such a list says
+ * how long it has compiled; its compiler counts as busy if that has grown since the last question.
+ * One thread uses an instance.
+ */
+final class SecondCompiler implements BooleanSupplier {
+  private static final String COMMANDS = "com.sun.management:type=DiagnosticCommand";
+  private static final String LIST = "compilerQueue";
+
+  /** The name of a thread of this compiler, which the list prints before the method at work. */
+  private static final String AT_WORK = "C2 CompilerThread";
+
+  private static final String WAITING = "C2 compile queue:";
+  private static final String NONE = "Empty";
+
+  private final MBeanServer server = ManagementFactory.getPlatformMBeanServer();
+  private long millisBefore;
+
+  @Override
+  public boolean getAsBoolean() {
+    try {
+      return isBusy((String) server.invoke(new ObjectName(COMMANDS), LIST, null, null));
+    } catch (JMException e) {
+      return hasCompiledMore(); // This JVM has no such list.
+    }
+  }
+
+  /** Returns whether a list names a method that the second compiler compiles or shall compile. */
+  static boolean isBusy(String list) {
+    int waiting = list.indexOf(WAITING);
+    boolean noneWaits =
+        waiting < 0 || list.substring(waiting + WAITING.length()).stripLeading().startsWith(NONE);
+    return list.contains(AT_WORK) || !noneWaits;
+  }
+
+  private boolean hasCompiledMore() {
+    CompilationMXBean compiler = ManagementFactory.getCompilationMXBean();
+    if (compiler == null || !compiler.isCompilationTimeMonitoringSupported()) {
+      return false;
+    }
+    long before = millisBefore;
+    millisBefore = compiler.getTotalCompilationTime();
+    return millisBefore > before;
+  }
+}

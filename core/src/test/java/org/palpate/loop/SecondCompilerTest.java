@@ -1,0 +1,59 @@
+package org.palpate.loop;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+class SecondCompilerTest {
+  private static final String WORK =
+      "1138       4       org.palpate.proxy.exact.GuardedSolver::slide (301 bytes)\n";
+  private static final String FIRST = "C1 compile queue:\n";
+  private static final String SECOND = "C2 compile queue:\n";
+  private static final String EMPTY = "Empty\n\n";
+
+  /** Keeps the compiler from leaving out the work. */
+  private volatile long result;
+
+  @Test
+  void isBusyWhileAMethodIsCompiled() {
+    String current = "Current compiles: \nC2 CompilerThread0  " + WORK + "\n";
+    assertTrue(SecondCompiler.isBusy(current + FIRST + EMPTY + SECOND + EMPTY));
+  }
+
+  @Test
+  void isBusyWhileAMethodWaits() {
+    assertTrue(
+        SecondCompiler.isBusy("Current compiles: \n\n" + FIRST + EMPTY + SECOND + WORK + "\n"));
+  }
+
+  @Test
+  void theFirstCompilerDoesNotMatter() {
+    String current = "Current compiles: \nC1 CompilerThread0  " + WORK + "\n";
+    assertFalse(SecondCompiler.isBusy(current + FIRST + WORK + "\n" + SECOND + EMPTY));
+    assertFalse(SecondCompiler.isBusy(current + FIRST + WORK + "\n"), "the only compiler");
+  }
+
+  @Test
+  @Timeout(value = 1, unit = TimeUnit.MINUTES)
+  void theCompilerOfThisJvmIsSeenAtWorkAndIdle() throws InterruptedException {
+    SecondCompiler compiler = new SecondCompiler();
+    while (!compiler.getAsBoolean()) {
+      result = hash(result);
+    }
+    while (compiler.getAsBoolean()) {
+      Thread.sleep(1);
+    }
+  }
+
+  /** Takes the second compiler some work. */
+  private static long hash(long seed) {
+    long hash = seed;
+    for (int n = 0; n < 10_000; n++) {
+      hash = Long.rotateLeft(hash * 0x9E3779B97F4A7C15L + n, 31);
+    }
+    return hash;
+  }
+}
