@@ -1,9 +1,12 @@
 package org.palpate.host;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberText;
 import org.palpate.proxy.ProxySolver;
 import org.palpate.proxy.exact.GuardedSolver;
 import org.palpate.proxy.reference.BorderVoxels;
@@ -11,6 +14,7 @@ import org.palpate.proxy.reference.CollisionOnlySolver;
 import org.palpate.proxy.reference.DotSolver;
 import org.palpate.proxy.reference.PaperSolver;
 import org.palpate.proxy.smooth.SmoothSolver;
+import org.palpate.volume.VoxelGrid;
 
 /** The algorithms that move the interaction point. */
 public enum SolverKind {
@@ -81,6 +85,33 @@ public enum SolverKind {
       case PAPER -> new PaperSolver(collision.newCaster(), metric, maxStepMm, newBorder(scene));
       case NONE -> new CollisionOnlySolver(collision.newCaster(), metric);
     };
+  }
+
+  /**
+   * Warns of voxels over which the force may be off, because they are too long for the solver.
+   *
+   * @param where where the grids come from, as the user knows it
+   * @param grids the grids of the voxels
+   * @return a line for the user, or empty
+   */
+  public Optional<String> warning(String where, List<VoxelGrid> grids) {
+    double ratio = grids.stream().mapToDouble(grid -> edgeRatio(grid.spacingMm())).max().orElse(1);
+    return this == SMOOTH && ratio > SmoothSolver.MAX_EDGE_RATIO
+        ? Optional.of(
+            "voxels are "
+                + NumberText.thousandths(ratio)
+                + " times as long as wide: "
+                + where
+                + ": beyond "
+                + NumberText.display(SmoothSolver.MAX_EDGE_RATIO)
+                + " times the force of smooth may be off by tens of degrees; choose a series with"
+                + " thinner slices")
+        : Optional.empty();
+  }
+
+  private static double edgeRatio(Vec3 edges) {
+    return Math.max(edges.x, Math.max(edges.y, edges.z))
+        / Math.min(edges.x, Math.min(edges.y, edges.z));
   }
 
   private static BorderVoxels newBorder(ContactScene scene) {

@@ -75,6 +75,7 @@ public final class ReplayTrajectory extends PalpateCommand {
             new SegmentedVolume(geometry.grid(), segments),
             options.contactSettings(),
             StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), ranges));
+    volume.logWarning(scene.settings().solver());
     ResultsTable table = new ResultsTable();
     ReplayRun rigid = ReplayRun.inWorld(scene, trajectory);
     Optional<ReplayRun> elastic =

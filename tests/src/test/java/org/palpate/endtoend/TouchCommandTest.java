@@ -10,9 +10,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -38,21 +40,34 @@ class TouchCommandTest {
   }
 
   @Test
-  void voxelsThatAreTooLongForSmoothAreReported() throws IOException {
+  void voxelsThatAreTooLongForSmoothAreReported() throws IOException, InterruptedException {
     Path scan = Files.write(folder.resolve("long.raw"), new byte[4096]);
-    String[] volume = {"--volume", scan.toString(), "--raw", "32x32x4:u8:1,1,16"};
     String note = "palpate: voxels are 16 times as long as wide: " + scan + ": beyond 10 times";
-    List<Object> touch = new ArrayList<>(List.of("touch", "--headless", "--seconds", "0.2"));
-    List<Object> replay = new ArrayList<>(List.of("replay", "--trajectory"));
-    replay.add(TestFiles.trajectory(folder.resolve("t.csv"), 20, 32, 20130701));
-    for (List<Object> command : List.of(touch, replay)) {
-      command.addAll(List.of(volume));
-      command.addAll(List.of("--segment", "bone=>=1"));
-      CommandRun run = CommandRun.of(command.toArray());
-      assertEquals(0, run.exitCode(), run.err());
-      assertTrue(run.err().contains(note), run.err());
-      assertEquals(run.err().indexOf(note), run.err().lastIndexOf(note), "said once");
-    }
+    List<Object> volume = new ArrayList<>(List.of("--volume", scan, "--raw", "32x32x4:u8:1,1,16"));
+    volume.addAll(List.of("--segment", "bone=>=1"));
+    Path trajectory = TestFiles.trajectory(folder.resolve("t.csv"), 20, 32, 20130701);
+    List<Object> touch = List.of("touch", "--headless", "--seconds", "0.2");
+    assertEquals(1, occurrences(note, CommandRun.of(joined(touch, volume))));
+    List<Object> moves = List.of("--trajectory", trajectory);
+    assertEquals(1, occurrences(note, CommandRun.of(joined(List.of("replay"), moves, volume))));
+    List<Object> render = List.of("render", "--size", "64x48", "--out", folder.resolve("x.png"));
+    assertEquals(1, occurrences(note, onADisplay(joined(render, moves, volume))));
+    assertEquals(0, occurrences(note, onADisplay(joined(render, volume))), "no solver moves");
+  }
+
+  private static Object[] joined(List<?>... parts) {
+    return Arrays.stream(parts).flatMap(List::stream).toArray();
+  }
+
+  /** Runs a command that starts another one if there is no display. */
+  private static CommandRun onADisplay(Object... arguments)
+      throws IOException, InterruptedException {
+    return CommandRun.waitFor(CommandRun.inOwnJvm(JAVA_HOME, List.of(), arguments));
+  }
+
+  private static int occurrences(String text, CommandRun run) {
+    assertEquals(0, run.exitCode(), run.err());
+    return run.err().split(Pattern.quote(text), -1).length - 1;
   }
 
   @Test

@@ -2,6 +2,7 @@ package org.palpate.app.command;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -221,7 +222,7 @@ public final class RenderCommand implements Callable<Integer> {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
     Report report = new Report("render", output.report(), inputs);
-    SegmentedVolume segments = source.segments(spec.commandLine().getErr(), false);
+    SegmentedVolume segments = segments(source);
     SurfaceExport export = new SurfaceExport(outFile, separate);
     if (surfaceOnly) {
       List<Path> targets = new ArrayList<>(export.targets(segments.segments()));
@@ -262,6 +263,12 @@ public final class RenderCommand implements Callable<Integer> {
     report.putVolume(source, segments.segments());
     report.write();
     return 0;
+  }
+
+  /** Reads the segments, with a warning if a trajectory touches them and they do not suit it. */
+  private SegmentedVolume segments(VolumeSource source) throws VolumeFormatException {
+    PrintWriter err = spec.commandLine().getErr();
+    return trajectory == null ? source.segments(err, false) : contact.segments(source, err, false);
   }
 
   private List<Path> inputs(VolumeSource source) {

@@ -342,10 +342,10 @@ public final class ContactOptions {
   public SegmentedVolume segments(VolumeSource source, PrintWriter err, boolean keepsGrey)
       throws VolumeFormatException {
     SegmentedVolume found = source.segments(err, keepsGrey || followsGrey(source));
-    if (solver() == SolverKind.SMOOTH) {
-      LongVoxels.note(source.name(), found.grids()).ifPresent(err::println);
-      err.flush();
-    }
+    solver()
+        .warning(source.name(), found.grids())
+        .ifPresent(line -> err.println("palpate: " + line));
+    err.flush();
     return found;
   }
 

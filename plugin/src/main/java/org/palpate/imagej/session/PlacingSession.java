@@ -79,6 +79,7 @@ public final class PlacingSession extends HandSession implements ImageListener {
     List<Placement> placements = placements(options.fixed());
     ContactScene scene =
         new ContactScene(volume, placements, options.contactSettings(), Optional.empty());
+    stack.logWarning(scene.settings().solver());
     poses = Placement.transforms(placements);
     LoopSettings loop = LoopSettings.ofRate(StackSession.RATE_HZ).with(realtime, realtime);
     StackDevice device =

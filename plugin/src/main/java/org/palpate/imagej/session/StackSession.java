@@ -84,6 +84,7 @@ public final class StackSession extends HandSession {
             new SegmentedVolume(geometry.grid(), segments),
             options.contactSettings(),
             StackGreyValues.surface(pixels, volume.slices(), geometry.grid(), ranges));
+    volume.logWarning(scene.settings().solver());
     LoopSettings loop = LoopSettings.ofRate(RATE_HZ).with(realtime, realtime);
     StackDevice device =
         StackDevice.open(options.device(), scene, options.workspace(), loop.periodNanos());

@@ -1,5 +1,6 @@
 package org.palpate.imagej.stack;
 
+import ij.IJ;
 import ij.ImagePlus;
 import ij.ImageStack;
 import ij.io.FileInfo;
@@ -8,6 +9,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.List;
+import org.palpate.host.SolverKind;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.volume.LabelTable;
 import org.palpate.io.volume.ReadOptions;
@@ -60,6 +63,17 @@ public record StackVolume(
     }
     return new StackVolume(
         image, image.getC(), image.getT(), image.getWidth(), image.getHeight(), image.getNSlices());
+  }
+
+  /**
+   * Logs a warning if the voxels are too long for a solver. A dialog would hold macros up.
+   *
+   * @throws TouchRefusedException if a voxel edge is not positive and finite
+   */
+  public void logWarning(SolverKind solver) throws TouchRefusedException {
+    solver
+        .warning(image.getTitle(), List.of(StackGeometry.of(image).grid()))
+        .ifPresent(line -> IJ.log("Palpate: " + line));
   }
 
   /** Whether the image has channels or times besides the touched one. */

@@ -6,7 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import ij.ImagePlus;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -53,6 +56,24 @@ class StackSessionTest {
 
   private void begin(String device) throws TouchRefusedException {
     StackSessionRunner.begin(volume, ChosenOptions.floor(device, 100, Map.of()), Optional.empty());
+  }
+
+  @Test
+  void aStackWhoseSlicesLieTooFarApartForTheSolverIsLogged() throws TouchRefusedException {
+    String note = "Palpate: voxels are 16 times as long as wide: stack: beyond 10 times";
+    PrintStream shown = System.out;
+    ByteArrayOutputStream log = new ByteArrayOutputStream(); // where ImageJ logs without a window
+    System.setOut(new PrintStream(log, true, StandardCharsets.UTF_8));
+    try {
+      begin("simulated:98");
+      CurrentSession.stop();
+      assertFalse(log.toString(StandardCharsets.UTF_8).contains("Palpate: voxels"));
+      image.getCalibration().pixelDepth = 16;
+      begin("simulated:97");
+      assertTrue(log.toString(StandardCharsets.UTF_8).contains(note));
+    } finally {
+      System.setOut(shown);
+    }
   }
 
   @Test
