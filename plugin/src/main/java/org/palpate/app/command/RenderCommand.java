@@ -5,17 +5,14 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeoutException;
 import javax.imageio.ImageIO;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.ElasticOptions;
-import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.SliceOptions;
@@ -36,11 +33,6 @@ import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
-import org.palpate.scene.SceneObject;
-import org.palpate.scene.SceneState;
-import org.palpate.scene.StandardView;
-import org.palpate.scene.Stereo;
-import org.palpate.scene.Theme;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.window.GraphicsDriver;
@@ -78,10 +70,6 @@ import picocli.CommandLine.Spec;
     })
 public final class RenderCommand implements Callable<Integer> {
   private static final long SURFACE_WAIT_MS = 600_000;
-  private static final int SMOOTHING_SCALE = 2;
-  private static final int MAX_EDGE_PIXELS = 8192;
-  private static final NumberRange ZOOM =
-      new NumberRange("--zoom", "the factor", 0.01, 1000, "", "2");
 
   /** Options that have no effect on an exported surface. */
   private static final List<String> PICTURE_OPTIONS =
@@ -113,6 +101,7 @@ public final class RenderCommand implements Callable<Integer> {
   @Mixin private ToolOptions tool;
   @Mixin private ElasticOptions elastic;
   @Mixin private OutputOptions output;
+  @Mixin private PictureOptions picture;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
   @Mixin private FilmOptions film;
@@ -134,64 +123,12 @@ public final class RenderCommand implements Callable<Integer> {
   private boolean separate;
 
   @Option(
-      names = "--size",
-      paramLabel = "WxH",
-      defaultValue = "1280x960",
-      description = "Size of the picture in pixels. Default: ${DEFAULT-VALUE}.")
-  private String size;
-
-  @Option(
-      names = "--view",
-      paramLabel = "NAME",
-      description = {
-        "Direction of view: ${COMPLETION-CANDIDATES}.",
-        "Default: oblique; with --trajectory, the view that faces the contact best."
-      })
-  private StandardView view;
-
-  @Option(
       names = "--trajectory",
       paramLabel = "T.csv",
       description = {
         "Device positions, t_ms,x,y,z in world mm. They run to the end; the last contact is shown."
       })
   private Path trajectory;
-
-  @Option(
-      names = "--upside-down",
-      description = "Turns the picture by half a turn, for a file whose axes point the wrong way.")
-  private boolean upsideDown;
-
-  @Option(
-      names = "--zoom",
-      paramLabel = "FACTOR",
-      defaultValue = "1",
-      description = "Moves the camera closer by this factor. Default: ${DEFAULT-VALUE}.")
-  private double zoom;
-
-  @Option(
-      names = "--theme",
-      paramLabel = "NAME",
-      defaultValue = "dark",
-      description = "Colours: ${COMPLETION-CANDIDATES}. Default: ${DEFAULT-VALUE}.")
-  private Theme theme;
-
-  @Option(
-      names = "--opacity",
-      paramLabel = "NAME=OPACITY",
-      description = {
-        "Opacity of a segment, 0 (hidden) to 1; may be repeated. Default: 1, but 0.3 for a"
-            + " segment that encloses all others."
-      })
-  private Map<String, Double> opacities = new LinkedHashMap<>();
-
-  @Option(
-      names = "--stereo",
-      paramLabel = "NAME",
-      defaultValue = "off",
-      description = "Stereo: off, anaglyph or side-by-side. Default: ${DEFAULT-VALUE}.",
-      converter = StereoConverter.class)
-  private Stereo stereo;
 
   @Option(
       names = "--gaps",
@@ -201,12 +138,9 @@ public final class RenderCommand implements Callable<Integer> {
   private boolean gaps;
 
   private Optional<MadeTool> made = Optional.empty();
-  private int width;
-  private int height;
 
   @Override
   public Integer call() throws IOException {
-    parseSize();
     check();
     boolean surfaceOnly = SurfaceExport.isSurfaceName(outFile);
     checkOptionCombination(surfaceOnly);
@@ -230,7 +164,7 @@ public final class RenderCommand implements Callable<Integer> {
       output.report().ifPresent(targets::add);
       OutputPaths.checkDistinct(targets);
     }
-    SceneModel model = new SceneModel(axes(source.header().coordinateSystem()), theme);
+    SceneModel model = new SceneModel(axes(source.header().coordinateSystem()), picture.theme());
     showMarks(model, source, segments);
     surface.clip().ifPresent(model::clip);
     surface.deformed().ifPresent(by -> model.changeLook(look -> look.with(by)));
@@ -344,34 +278,9 @@ public final class RenderCommand implements Callable<Integer> {
     }
   }
 
-  private void parseSize() {
-    String[] parts = size.toLowerCase(Locale.ROOT).split("x", -1);
-    try {
-      width = Integer.parseInt(parts[0]);
-      height = Integer.parseInt(parts[parts.length - 1]);
-    } catch (NumberFormatException e) {
-      width = 0;
-    }
-    boolean fits =
-        width >= 16 && height >= 16 && width <= MAX_EDGE_PIXELS && height <= MAX_EDGE_PIXELS;
-    if (parts.length != 2 || !fits) {
-      throw PalpateException.wrongUse(
-          "the size must be WxH with 16 to " + MAX_EDGE_PIXELS + " pixels each",
-          "--size " + size,
-          "try --size 1280x960");
-    }
-  }
-
   private void check() {
     contact.settings();
-    ZOOM.check(zoom);
-    opacities.forEach(RenderCommand::checkOpacity);
-    if (stereo == Stereo.QUAD_BUFFER) {
-      throw PalpateException.wrongUse(
-          "a picture file has only one buffer",
-          "--stereo quad-buffer",
-          "try --stereo side-by-side");
-    }
+    picture.check();
     String name = outFile.toString().toLowerCase(Locale.ROOT);
     if (!name.endsWith(".png")
         && !FilmOptions.isFilm(outFile)
@@ -405,14 +314,6 @@ public final class RenderCommand implements Callable<Integer> {
     }
   }
 
-  private StandardView chosenView(SceneState state) {
-    return Optional.ofNullable(view)
-        .or(
-            () ->
-                state.marks().map(marks -> LastContactMarks.viewOf(marks.point(), state.middle())))
-        .orElse(StandardView.OBLIQUE);
-  }
-
   private static void awaitSurfaces(SceneLoader loader, VolumeSource source) {
     try {
       loader.await(SURFACE_WAIT_MS);
@@ -442,47 +343,20 @@ public final class RenderCommand implements Callable<Integer> {
 
   private double drawPicture(SceneModel model, SceneLoader bodies, List<BodyPose> moves)
       throws IOException {
-    double aspect = (double) width / height;
-    model.look(chosenView(model.state()), aspect);
-    model.moveCamera(camera -> (upsideDown ? camera.upsideDown() : camera).zoom(1 / zoom), false);
-    model.changeLook(look -> look.with(stereo));
-    opacities.forEach((name, opacity) -> setOpacity(model, name, opacity));
-    try (OffscreenRenderer scene = new OffscreenRenderer(width, height, SMOOTHING_SCALE)) {
+    picture.applyTo(model);
+    try (OffscreenRenderer scene = picture.newRenderer()) {
       long started = System.nanoTime();
       if (FilmOptions.isFilm(outFile)) {
         write(file -> film.draw(moves, bodies, model, scene, file));
         return millisSince(started);
       }
       FilmOptions.move(moves, bodies);
-      Picture picture = scene.draw(model.state());
+      Picture drawn = scene.draw(model.state());
       double millis = millisSince(started);
-      write(file -> ImageIO.write(picture.toImage(), "png", file));
+      write(file -> ImageIO.write(drawn.toImage(), "png", file));
       return millis;
     } catch (GraphicsException e) {
       throw PalpateException.failed(e.what(), "render", e.remedy(), e);
-    }
-  }
-
-  private static void setOpacity(SceneModel model, String name, double opacity) {
-    SceneObject object =
-        model.objects().stream()
-            .filter(each -> each.name().equals(name))
-            .findFirst()
-            .orElseThrow(
-                () ->
-                    PalpateException.wrongUse(
-                        "there is no such segment",
-                        "--opacity " + name,
-                        "list them with palpate info"));
-    model.setOpacity(object, opacity);
-  }
-
-  private static void checkOpacity(String name, double opacity) {
-    if (!(opacity >= 0 && opacity <= 1)) {
-      throw PalpateException.wrongUse(
-          "the opacity must be a number from 0 to 1",
-          "--opacity " + name + "=" + opacity,
-          "try --opacity " + name + "=0.5");
     }
   }
 
@@ -495,9 +369,7 @@ public final class RenderCommand implements Callable<Integer> {
     try (AtomicFile file = new AtomicFile(outFile)) {
       pictures.write(file.stream());
       file.commit();
-      spec.commandLine()
-          .getOut()
-          .println(OutputPaths.written(outFile, width + " x " + height + " pixels"));
+      spec.commandLine().getOut().println(OutputPaths.written(outFile, picture.size()));
     } catch (IOException e) {
       throw OutputPaths.failed(outFile, e);
     }
