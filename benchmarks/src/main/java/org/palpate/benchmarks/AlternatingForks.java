@@ -42,6 +42,7 @@ public final class AlternatingForks {
     options.include(ResponseBenchmark.class.getName());
     options.param("solver", solver);
     options.forks(1);
+    options.jvmArgs(SessionJvm.flags().toArray(String[]::new));
     options.verbosity(VerboseMode.SILENT);
     for (RunResult result : new Runner(options.build()).run()) {
       String scene =

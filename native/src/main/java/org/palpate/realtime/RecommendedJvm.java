@@ -28,7 +28,15 @@ public final class RecommendedJvm {
               17,
               ALL,
               "the JVM's statistics are a mapped file, and a pause that updates it can wait for a"
-                  + " disk"));
+                  + " disk"),
+          new Setting("-XX:CompileCommand=quiet", 17, ALL, "the next flag prints nothing"),
+          new Setting(
+              "-XX:CompileCommand=dontinline,"
+                  + "org.palpate.proxy.smooth.field.CellCorrections::findCorrectedBricks",
+              17,
+              ALL,
+              "rare work of the smooth solver; a compiler that puts it into a frame's code has no"
+                  + " room for the frequent work, and some sessions are then slower"));
 
   private RecommendedJvm() {}
 

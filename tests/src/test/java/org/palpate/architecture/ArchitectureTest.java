@@ -65,6 +65,7 @@ class ArchitectureTest {
                   "loop",
                   "proxy.reference",
                   "proxy.smooth",
+                  "realtime",
                   "recording",
                   "sync")),
           Map.entry(

@@ -17,6 +17,7 @@ import org.openjdk.jmh.runner.options.ChainedOptionsBuilder;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 import org.openjdk.jmh.runner.options.VerboseMode;
+import org.palpate.benchmarks.SessionJvm;
 
 /** Runs subjects with JMH, each condition in its own processes, and measures their allocations. */
 final class SpeedRunner {
@@ -25,6 +26,9 @@ final class SpeedRunner {
 
   /** Start, setup and end of a process, on two processors of an Intel Xeon. */
   private static final double PROCESS_SECONDS = 1.5;
+
+  /** A heap that the voxels fill; a session's collector would need more room. */
+  private static final int LARGE_HEAP_MEGABYTES = 8192;
 
   private final boolean quick;
   private final String data;
@@ -97,11 +101,7 @@ final class SpeedRunner {
             .warmupTime(iteration(quick))
             .measurementIterations(measurements(quick))
             .measurementTime(iteration(quick))
-            .jvmArgs(
-                "-Xmx" + subject.heapMegabytes() + "m",
-                "-XX:+UseParallelGC",
-                "-Xbatch", // a busy machine must not delay the compiler
-                "-Dpalpate.data=" + data)
+            .jvmArgs(jvmArguments(subject).toArray(String[]::new))
             .addProfiler(GCProfiler.class)
             .addProfiler(WorkerTime.class)
             .shouldFailOnError(true)
@@ -116,6 +116,19 @@ final class SpeedRunner {
     } catch (RunnerException e) {
       throw new IOException("benchmark " + name(subject) + " failed: " + e.getMessage(), e);
     }
+  }
+
+  /** Returns the flags of a session, so that frames run as fast as there. */
+  private List<String> jvmArguments(Subject subject) {
+    List<String> arguments = new ArrayList<>(SessionJvm.flags());
+    if (subject.heapMegabytes() >= LARGE_HEAP_MEGABYTES) {
+      arguments.add("-XX:-UseZGC");
+      arguments.add("-XX:+UseParallelGC");
+    }
+    arguments.add("-Xmx" + subject.heapMegabytes() + "m");
+    arguments.add("-Xbatch"); // so that short warm-ups end with compiled code
+    arguments.add("-Dpalpate.data=" + data);
+    return arguments;
   }
 
   private static SpeedRow row(Subject subject, RunResult result) {
