@@ -81,59 +81,52 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Option(
       names = "--stability",
-      description = {
-        "Person, device and contact as one closed loop in simulation:",
-        "the largest stiffness without vibration, beside the theory."
-      })
+      description =
+          "Simulates person, device and contact as one closed loop: the largest stiffness without"
+              + " vibration, beside the theory.")
   private boolean stability;
 
   @Option(
       names = "--accuracy",
-      description = {
-        "Run time against error, for every solver and collision method:",
-        "solvers slide along analytic surfaces under pressure;",
-        "also their distance to the nearest free point at rest."
-      })
+      description =
+          "Run time against error, for every solver and collision method, on slides along surfaces"
+              + " that a formula describes; also the distance to the nearest free point at rest.")
   private boolean accuracy;
 
   @Option(
       names = "--rigid",
-      description = {
-        "Rigid tools: every leg judged exactly, overlaps, frame times, forces, pegs in holes,",
-        "halves that fit, stuck frames, and published methods beside them."
-      })
+      description =
+          "Rigid tools: every leg judged exactly, overlaps, frame times, forces, pegs in holes,"
+              + " halves that fit, stuck frames, and published methods beside them.")
   private boolean rigid;
 
   @Option(
       names = "--carve",
-      description = {
-        "Tools that cut: time of a cut, every leg judged exactly under hostile hands, edits and",
-        "undo beside protected voxels, and voxels compared with a plain copy."
-      })
+      description =
+          "Tools that cut: time of a cut, every leg judged exactly under hostile hands, edits and"
+              + " undo beside protected voxels, and voxels compared with a plain copy.")
   private boolean carve;
 
   @Option(
       names = "--elastic",
-      description = {
-        "Elastic segments: legs and tetrahedra judged exactly, times of frames and updates, steps"
-            + " of the force, work, rest, and comparisons with formulas and finer lattices."
-      })
+      description =
+          "Elastic segments: legs and tetrahedra judged exactly, times of frames and updates, steps"
+              + " of the force, work, rest, and comparisons with formulas and finer lattices.")
   private boolean elastic;
 
   @Option(
       names = "--fracture",
-      description = {
-        "Broken tubes and jaws that a simulated hand puts together: distance and angle from the",
-        "truth. The jaw is that of CThead in the folder of -Dpalpate.data (../shared/data)."
-      })
+      description =
+          "Broken tubes and jaws that a simulated hand puts together: distance and angle from the"
+              + " truth. The jaw is that of CThead in the folder of -Dpalpate.data"
+              + " (../shared/data).")
   private boolean fracture;
 
   @Option(
       names = "--gpu",
-      description = {
-        "Legs of a tool's points judged by the CPU on one and two threads and by every OpenCL",
-        "device, against their number: round trip, launch and transfer."
-      })
+      description =
+          "Legs of a tool's points judged by the CPU on one and two threads and by every OpenCL"
+              + " device, against their number: round trip, launch and transfer.")
   private boolean gpu;
 
   @Option(
@@ -148,9 +141,9 @@ public final class BenchCommand implements Callable<Integer> {
       names = "--frames",
       paramLabel = "N",
       description = {
-        "With --stress: total number of frames (10000000).",
-        "With --carve: frames of a point that is attacked (100000000; 1000000 with --quick). Each"
-            + " kind of tool is attacked in a hundredth of them."
+        "With --stress: total number of frames. Default: 10000000.",
+        "With --carve: frames of a point that is attacked; each kind of tool is attacked in a"
+            + " hundredth of them. Default: 100000000; 1000000 with --quick."
       })
   private Long frames;
 
@@ -159,7 +152,7 @@ public final class BenchCommand implements Callable<Integer> {
       paramLabel = "S",
       description =
           "With --stress, --rigid, --carve, --elastic or --fracture: seed of the attack, or of"
-              + " hands and scenes (7).")
+              + " hands and scenes. Default: 7.")
   private Long seed;
 
   @Option(
@@ -171,54 +164,49 @@ public final class BenchCommand implements Callable<Integer> {
 
   @Option(
       names = "--sync",
-      description = {
-        "Cost of scene changes for the haptic thread: direct, by the paper's",
-        "synchronized accumulators, by wait-free ones. Draws, so it needs OpenGL."
-      })
+      description =
+          "Cost of scene changes for the haptic thread: direct, by the paper's synchronized"
+              + " accumulators, by wait-free ones. Draws, so it needs OpenGL.")
   private boolean sync;
 
   @Option(
       names = "--table1",
-      description = {
-        "The paper's Table 1 on scans, in their own size and resampled to its sizes.",
-        "Reads the folder of -Dpalpate.data (../shared/data)."
-      })
+      description =
+          "The paper's Table 1 on scans, in their own size and resampled to its sizes. Reads the"
+              + " folder of -Dpalpate.data (../shared/data).")
   private boolean table1;
 
   @Option(
       names = "--surfaces",
-      description = {
-        "Triangles, time and memory of the scans' surfaces, in their own size and resampled",
-        "to the paper's sizes. Reads the folder of -Dpalpate.data (../shared/data)."
-      })
+      description =
+          "Triangles, time and memory of the scans' surfaces, in their own size and resampled to"
+              + " the paper's sizes. Reads the folder of -Dpalpate.data (../shared/data).")
   private boolean surfaces;
 
   @Option(
       names = "--skips",
-      description = {
-        "Gain of each skip: with and without it, where it helps and where it does not.",
-        "Draws, so it needs OpenGL."
-      })
+      description =
+          "Gain of each skip: with and without it, where it helps and where it does not. Draws, so"
+              + " it needs OpenGL.")
   private boolean skips;
 
   @Option(
       names = "--cpp",
-      description = {
-        "The guarded frame against a port to C++ over the same bricks; needs g++.",
-        "Both must give the same bits."
-      })
+      description =
+          "The guarded frame against a port to C++ over the same bricks; needs g++. Both must give"
+              + " the same bits.")
   private boolean cpp;
 
   @Option(names = "--scale", description = "The same hand in grids of 256^3 to 2048^3 voxels.")
   private boolean scale;
 
-  @Option(names = "--quick", description = "Use fewer values in each sweep.")
+  @Option(names = "--quick", description = "Uses fewer values in each sweep.")
   private boolean quick;
 
   @Option(
       names = "--out",
       paramLabel = "DIR",
-      description = "Folder of the files (palpate-bench); created if missing.")
+      description = "Folder of the files, created if missing. Default: palpate-bench.")
   private Path folder = Path.of("palpate-bench");
 
   @Override

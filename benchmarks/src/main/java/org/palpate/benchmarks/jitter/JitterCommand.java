@@ -71,7 +71,7 @@ public final class JitterCommand implements Callable<Integer> {
       description = "Folder of the files.")
   private Path folder;
 
-  @Option(names = "--quick", description = "Run a dozen experiments in under two minutes.")
+  @Option(names = "--quick", description = "Runs a dozen experiments in under two minutes.")
   private boolean quick;
 
   @Option(
@@ -99,21 +99,21 @@ public final class JitterCommand implements Callable<Integer> {
   @Option(
       names = "--seconds",
       paramLabel = "S",
-      description = "Measured time of an experiment (10; 3 with --quick).")
+      description = "Measured time of an experiment. Default: 10; 3 with --quick.")
   private Integer seconds;
 
   @Option(
       names = "--minutes",
       paramLabel = "M",
       description =
-          "Start no experiment after this time, then report the results (1.5 with --quick);"
-              + " 0 reports without running any.")
+          "Starts no experiment after this time and then reports the results; 0 reports those of an"
+              + " earlier run. Default: no end; 1.5 with --quick.")
   private Double minutes;
 
-  @Option(names = "--heap", paramLabel = "MB", description = "Heap of an experiment (512).")
+  @Option(names = "--heap", paramLabel = "MB", description = "Heap of an experiment. Default: 512.")
   private int heapMb = 512;
 
-  @Option(names = "--list", description = "List the experiments and their duration, and end.")
+  @Option(names = "--list", description = "Lists the experiments and their duration, and ends.")
   private boolean list;
 
   @Override

@@ -167,7 +167,7 @@ public final class ContactOptions {
   @Option(
       names = "--max-force",
       paramLabel = "N",
-      description = "Largest force that is sent. Default: the device's maximum.")
+      description = "Largest force. Default: the device's maximum; a replay has none.")
   private Double maxForce;
 
   /**

@@ -32,8 +32,8 @@ public final class EffectOptions {
       description = {
         "Adds an effect; may be repeated: viscosity:NS/MM (resists every motion), magnet:NAME,N,MM"
             + " (draws to a segment from MM on, with N at most), stickslip:N (sticks to surfaces up"
-            + " to N), vibration:HZ,N (shakes in contact), texture:MM (bumps of grey values, so"
-            + " high for detail as large as the step at the surface)."
+            + " to N), vibration:HZ,N (shakes in contact), texture:MM (bumps where grey values"
+            + " vary; MM is the height of one as large as the step at the surface)."
       })
   private List<String> effects = List.of();
 

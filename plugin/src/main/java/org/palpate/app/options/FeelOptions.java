@@ -49,8 +49,8 @@ public final class FeelOptions {
             + " hinge:X,Y,Z,DX,DY,DZ (turns about a line), path:FILE.csv (along positions x,y,z),"
             + " away:NAME,MM (out of a margin around a segment), align:DX,DY,DZ (the axis z of a"
             + " rigid tool along a direction), fit[:GAP] (a fragment in hand to where its fracture"
-            + " faces fit; touch alone; GAP is the width of a saw cut in mm, and free one that the"
-            + " fit finds. Default: 0)."
+            + " faces fit; touch alone; GAP is the width of a saw cut in mm, or free to let the fit"
+            + " find it. Default: 0)."
       })
   private List<String> guides = List.of();
 

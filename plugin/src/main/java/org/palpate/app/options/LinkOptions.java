@@ -18,8 +18,8 @@ public final class LinkOptions {
       paramLabel = "[ADDRESS:]PORT",
       description = {
         "Serves the session over OpenIGTLink at this port (18944 is usual): poses, force, contact"
-            + " and landmarks. Only this machine can connect,",
-        "unless an address of this machine is given; 0.0.0.0 stands for all."
+            + " and landmarks. Only this machine can connect, unless an address of this machine is"
+            + " given; 0.0.0.0 stands for all."
       })
   private String text;
 
