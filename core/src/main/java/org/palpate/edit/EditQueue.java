@@ -116,9 +116,8 @@ public final class EditQueue {
    *
    * @param out changes the voxels and keeps the history
    * @param maxVoxels number of voxels that the edits may visit
-   * @return whether any voxel may have changed
    */
-  public boolean applyTo(VoxelWriter out, int maxVoxels) {
+  public void applyTo(VoxelWriter out, int maxVoxels) {
     int left = maxVoxels;
     for (int n = 0; n < MOST_EDITS_A_FRAME && left > 0; n++) {
       int slot = (int) (taken.getPlain() % slots.length());
@@ -137,7 +136,6 @@ public final class EditQueue {
         taken.setRelease(taken.getPlain() + 1);
       }
     }
-    return left < maxVoxels;
   }
 
   private void beginStroke(Edit edit, UndoHistory history) {

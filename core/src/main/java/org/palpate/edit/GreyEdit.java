@@ -49,6 +49,7 @@ public final class GreyEdit extends Edit {
   @Override
   int apply(VoxelWriter out, int maxVoxels) {
     source.replace(replacement);
+    out.noteGrey();
     out.applied(segment(), none);
     finish();
     return 1;

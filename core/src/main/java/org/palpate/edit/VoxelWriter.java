@@ -22,6 +22,7 @@ public final class VoxelWriter {
   private final UndoHistory history;
   private final IntBox box = new IntBox();
   private final IntBox changed = new IntBox();
+  private boolean greyChanged;
   private BitCube[] limits = {};
   private VoxelListener voxels = VoxelListener.NONE;
   private ToolPlace tool = ToolPlace.NONE;
@@ -163,9 +164,25 @@ public final class VoxelWriter {
     return changed;
   }
 
-  /** Makes the box of {@link #changed} empty. */
+  /** {@return whether voxels or grey values changed since {@link #clearChanged}} */
+  public boolean hasChanged() {
+    return greyChanged || !changed.isEmpty();
+  }
+
+  /** {@return whether grey values changed since {@link #clearChanged}} */
+  public boolean greyChanged() {
+    return greyChanged;
+  }
+
+  /** Notes that grey values changed. */
+  void noteGrey() {
+    greyChanged = true;
+  }
+
+  /** Forgets the changes: {@link #changed} becomes empty and {@link #greyChanged} false. */
   public void clearChanged() {
     changed.clear();
+    greyChanged = false;
   }
 
   /** Replaces the cube of a segment, which no history can undo. */

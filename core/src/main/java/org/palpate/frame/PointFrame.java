@@ -156,20 +156,21 @@ public final class PointFrame extends HapticFrame {
 
   @Override
   void applyEdits(int maxVoxels) {
-    boolean changed = edits.applyTo(writer, maxVoxels);
-    if (changed && placed) {
+    edits.applyTo(writer, maxVoxels);
+    if (!placed) {
+      writer.clearChanged(); // The solver forgets everything when the point is placed.
+    } else if (writer.hasChanged()) {
       resetAfterEdits();
       freePointFromSolid();
     }
   }
 
-  /** Makes the solver forget what depends on voxels that changed, or all if none is known. */
+  /** Makes the solver forget what depends on voxels that changed, or all if grey values did. */
   private void resetAfterEdits() {
-    IntBox voxels = writer.changed();
-    if (voxels.isEmpty()) {
-      solver.reset(); // Grey values may have changed.
+    if (writer.greyChanged()) {
+      solver.reset();
     } else {
-      solver.resetAfterEdit(voxels);
+      solver.resetAfterEdit(writer.changed());
     }
     writer.clearChanged();
   }

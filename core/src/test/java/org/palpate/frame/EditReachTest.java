@@ -144,6 +144,9 @@ class EditReachTest {
     /** The work of all frames. */
     long steps;
 
+    /** The number of times that it forgot all or something. */
+    int resets;
+
     WatchedSolver(SmoothSolver solver, boolean forgetsAll) {
       this.solver = solver;
       this.forgetsAll = forgetsAll;
@@ -157,11 +160,13 @@ class EditReachTest {
 
     @Override
     public void reset() {
+      resets++;
       solver.reset();
     }
 
     @Override
     public void resetAfterEdit(IntBox changed) {
+      resets++;
       if (forgetsAll) {
         solver.reset();
       } else {
@@ -212,6 +217,45 @@ class EditReachTest {
     assertTrue(
         kept.solver.steps <= plain.solver.steps,
         kept.solver.steps + " steps of " + plain.solver.steps);
+  }
+
+  /** The solver forgets nothing then, so no frame takes more work or moves the point. */
+  @ParameterizedTest
+  @CsvSource({"1, false", "1.2, false", "1, true"})
+  void editsThatChangeNothingLeaveFramesAsTheyAre(double z, boolean isGrey) {
+    Session edited = new Session(new Vec3(1, 1, z), false, isGrey);
+    Session plain = new Session(new Vec3(1, 1, z), false, isGrey);
+    for (int n = 1; n <= 400; n++) {
+      place(n, edited.deviceMm);
+      plain.deviceMm.set(edited.deviceMm);
+      boolean solid = n % 2 == 0;
+      Vec3 inside = new Vec3(EDGE / 2.0, EDGE / 2.0, EDGE / 2.0 / z);
+      Vec3 at = solid ? inside : new Vec3(1.5, 1.5, 1.5);
+      Edit edit = n % 3 == 0 ? HistoryEdit.undo() : new BrushEdit(0, at, 1.5, solid);
+      assertTrue(edited.edits.offer(edit));
+      edited.run(n);
+      plain.run(n);
+      assertTrue(edited.frame.point().position.sameBits(plain.frame.point().position), "at " + n);
+      assertTrue(edited.device.lastForce().sameBits(plain.device.lastForce()), "at " + n);
+    }
+    assertEquals(plain.solver.resets, edited.solver.resets);
+    assertEquals(plain.solver.steps, edited.solver.steps);
+    assertTrue(edited.frame.statistics().contactFrames() > 100, "in contact");
+    assertTrue(edited.edits.completed() > 390, "edits were applied");
+  }
+
+  @Test
+  void newGreyValuesMakeTheSolverForgetAllAlthoughNoVoxelChanges() {
+    Session session = new Session(new Vec3(1, 1, 1), false, true);
+    place(300, session.deviceMm);
+    session.run(1);
+    session.run(2);
+    int before = session.solver.resets;
+    assertTrue(session.edits.offer(new GreyEdit(0, session.grey, session.greyBall(0.5))));
+    session.run(3);
+    assertEquals(before + 1, session.solver.resets);
+    session.run(4);
+    assertEquals(before + 1, session.solver.resets, "it forgets once");
   }
 
   /** Presses on the ball and slides over it. */
