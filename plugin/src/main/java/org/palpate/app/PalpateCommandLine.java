@@ -50,24 +50,30 @@ public final class PalpateCommandLine {
   /** Creates the command line with all commands, which print to the given streams. */
   public PalpateCommandLine(PrintStream out, PrintStream err) {
     this.err = err;
-    commandLine = new CommandLine(new Root());
+    commandLine =
+        newParser()
+            .setOut(new PrintWriter(out, true, StandardCharsets.UTF_8))
+            .setErr(new PrintWriter(err, true, StandardCharsets.UTF_8))
+            .setParameterExceptionHandler(this::handleWrongUse)
+            .setExecutionExceptionHandler(this::handleFailure);
+  }
+
+  /** Returns a parser of all commands, which reports wrong use by exceptions. */
+  public static CommandLine newParser() {
+    CommandLine parser = new CommandLine(new Root());
     List.of(
             new TouchCommand(),
             new ReplayCommand(),
             new InfoCommand(),
             new RenderCommand(),
             new DevicesCommand())
-        .forEach(commandLine::addSubcommand);
+        .forEach(parser::addSubcommand);
     ServiceLoader.load(CommandProvider.class)
-        .forEach(provider -> commandLine.addSubcommand(provider.command()));
-    commandLine
-        .setOut(new PrintWriter(out, true, StandardCharsets.UTF_8))
-        .setErr(new PrintWriter(err, true, StandardCharsets.UTF_8))
+        .forEach(provider -> parser.addSubcommand(provider.command()));
+    return parser
         .setAbbreviatedOptionsAllowed(false)
         .setCaseInsensitiveEnumValuesAllowed(true)
-        .registerConverter(Path.class, PalpateCommandLine::path)
-        .setParameterExceptionHandler(this::handleWrongUse)
-        .setExecutionExceptionHandler(this::handleFailure);
+        .registerConverter(Path.class, PalpateCommandLine::path);
   }
 
   /**

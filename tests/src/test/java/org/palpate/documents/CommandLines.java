@@ -2,17 +2,10 @@ package org.palpate.documents;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.ServiceLoader;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.palpate.app.CommandProvider;
-import org.palpate.app.command.DevicesCommand;
-import org.palpate.app.command.InfoCommand;
-import org.palpate.app.command.RenderCommand;
-import org.palpate.app.command.ReplayCommand;
-import org.palpate.app.command.TouchCommand;
+import org.palpate.app.PalpateCommandLine;
 import picocli.CommandLine;
-import picocli.CommandLine.Command;
 import picocli.CommandLine.MissingParameterException;
 import picocli.CommandLine.ParameterException;
 
@@ -25,27 +18,9 @@ final class CommandLines {
   private static final Pattern WORD = Pattern.compile("'([^']*)'|([^\\s']+)");
   private static final String COMMENT = "\\s+#.*";
 
-  private static final CommandLine PALPATE = program();
+  private static final CommandLine PALPATE = PalpateCommandLine.newParser();
 
   private CommandLines() {}
-
-  /** The program without a command. */
-  @Command(name = "palpate", mixinStandardHelpOptions = true)
-  private static final class Root {}
-
-  private static CommandLine program() {
-    CommandLine program = new CommandLine(new Root());
-    List.of(
-            new TouchCommand(),
-            new ReplayCommand(),
-            new InfoCommand(),
-            new RenderCommand(),
-            new DevicesCommand())
-        .forEach(program::addSubcommand);
-    ServiceLoader.load(CommandProvider.class)
-        .forEach(provider -> program.addSubcommand(provider.command()));
-    return program.setAbbreviatedOptionsAllowed(false).setCaseInsensitiveEnumValuesAllowed(true);
-  }
 
   /** Returns the arguments of each command line of a block, wrapped lines joined. */
   static List<List<String>> of(String block) {

@@ -1,7 +1,6 @@
 package org.palpate.host.placing;
 
 import java.util.List;
-import java.util.concurrent.locks.LockSupport;
 import org.palpate.body.BodyGroups;
 import org.palpate.force.guide.FitExchange;
 import org.palpate.force.guide.FitTarget;
@@ -16,14 +15,13 @@ import org.palpate.geometry.RigidTransform;
  */
 public final class FaceFitting implements AutoCloseable {
   private static final long PAUSE_NANOS = 20_000_000;
-  private static final long JOIN_MILLIS = 1000;
 
   private final ToolFrame frame;
   private final FaceFit fit;
   private final FitExchange exchange;
-  private final Thread thread = new Thread(this::run, "palpate-fit");
+  private final RepeatingThread thread =
+      new RepeatingThread("palpate-fit", PAUSE_NANOS, this::fitHeld, this::offerNone);
   private volatile List<RigidTransform> seen = List.of();
-  private volatile boolean closed;
 
   /**
    * Creates a fitting that does not run yet.
@@ -36,7 +34,6 @@ public final class FaceFitting implements AutoCloseable {
     this.frame = frame;
     this.fit = fit;
     this.exchange = exchange;
-    thread.setDaemon(true);
   }
 
   /** Starts to fit. */
@@ -53,13 +50,13 @@ public final class FaceFitting implements AutoCloseable {
     seen = poses;
   }
 
-  private void run() {
-    while (!closed) {
-      int held = frame.heldBody();
-      List<RigidTransform> poses = seen;
-      exchange.offer(held < 0 || poses.isEmpty() ? null : fit(held, poses));
-      LockSupport.parkNanos(this, PAUSE_NANOS);
-    }
+  private void fitHeld() {
+    int held = frame.heldBody();
+    List<RigidTransform> poses = seen;
+    exchange.offer(held < 0 || poses.isEmpty() ? null : fit(held, poses));
+  }
+
+  private void offerNone() {
     exchange.offer(null);
   }
 
@@ -72,12 +69,6 @@ public final class FaceFitting implements AutoCloseable {
   /** Ends the fitting, and waits at most a second for a fit that is being computed. */
   @Override
   public void close() {
-    closed = true;
-    LockSupport.unpark(thread);
-    try {
-      thread.join(JOIN_MILLIS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    thread.close();
   }
 }

@@ -2,7 +2,6 @@ package org.palpate.host.placing;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.RigidTransform;
@@ -15,7 +14,6 @@ import org.palpate.volume.SegmentedVolume;
  */
 public final class LiveReadings implements AutoCloseable {
   private static final long PAUSE_NANOS = 100_000_000;
-  private static final long JOIN_MILLIS = 1000;
   private static final int NONE = -1;
 
   private final ToolFrame frame;
@@ -23,10 +21,13 @@ public final class LiveReadings implements AutoCloseable {
   private final SessionView view;
   private final GapColours colours;
   private final Supplier<List<String>> further;
-  private final Thread thread = new Thread(this::run, "palpate-readings");
-  private volatile boolean closed;
+  private final RepeatingThread thread =
+      new RepeatingThread("palpate-readings", PAUSE_NANOS, this::show, () -> {});
   private int body = NONE;
   private List<String> lines = List.of();
+
+  /** The poses for which the lines were computed. */
+  private List<RigidTransform> read = List.of();
 
   /**
    * Creates readings that are not shown yet.
@@ -48,7 +49,6 @@ public final class LiveReadings implements AutoCloseable {
     this.readings = readings;
     this.view = view;
     this.further = further;
-    thread.setDaemon(true);
   }
 
   /** {@return the colours of the gap} */
@@ -61,23 +61,19 @@ public final class LiveReadings implements AutoCloseable {
     thread.start();
   }
 
-  private void run() {
-    List<RigidTransform> shown = List.of();
-    while (!closed) {
-      List<RigidTransform> poses = view.bodyPoses();
-      int chosen = chosenBody();
-      colours.update(chosen, poses, frame.groups());
-      if (chosen != NONE && (chosen != body || !poses.equals(shown))) {
-        body = chosen;
-        lines = readings.lines(body, poses, frame.groups());
-        shown = poses;
-      }
-      List<String> all = new ArrayList<>(lines);
-      all.addAll(colours.lines());
-      all.addAll(further.get());
-      view.show(all);
-      LockSupport.parkNanos(this, PAUSE_NANOS);
+  private void show() {
+    List<RigidTransform> poses = view.bodyPoses();
+    int chosen = chosenBody();
+    colours.update(chosen, poses, frame.groups());
+    if (chosen != NONE && (chosen != body || !poses.equals(read))) {
+      body = chosen;
+      lines = readings.lines(body, poses, frame.groups());
+      read = poses;
     }
+    List<String> all = new ArrayList<>(lines);
+    all.addAll(colours.lines());
+    all.addAll(further.get());
+    view.show(all);
   }
 
   private int chosenBody() {
@@ -88,12 +84,6 @@ public final class LiveReadings implements AutoCloseable {
   /** Ends the readings, and waits at most a second for lines that are being computed. */
   @Override
   public void close() {
-    closed = true;
-    LockSupport.unpark(thread);
-    try {
-      thread.join(JOIN_MILLIS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    thread.close();
   }
 }
