@@ -47,14 +47,10 @@ import org.palpate.host.ReplayTiming;
 import org.palpate.host.SolverKind;
 import org.palpate.host.ToolReplay;
 import org.palpate.host.ToolScene;
-import org.palpate.host.TrajectoryFile;
 import org.palpate.io.table.BodyPose;
-import org.palpate.io.table.EditsCsv;
 import org.palpate.io.table.FieldsCsv;
-import org.palpate.io.table.PosesCsv;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.tool.MadeTool;
-import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -110,15 +106,7 @@ public final class ReplayCommand implements Callable<Integer> {
   @Mixin private AssessOptions assess;
   @Mixin private CollisionDeviceOptions collisionDevice;
   @Mixin private OutputOptions output;
-
-  @Option(
-      names = "--trajectory",
-      paramLabel = "T.csv",
-      required = true,
-      description =
-          "Device positions: a header t_ms,x,y,z, then one row for each frame. For a tool also"
-              + " qw,qx,qy,qz.")
-  private Path trajectoryFile;
+  @Mixin private RecordedTables recorded;
 
   @Option(
       names = "--coordinates",
@@ -158,15 +146,6 @@ public final class ReplayCommand implements Callable<Integer> {
   private String legsFrames;
 
   @Option(
-      names = "--edits",
-      paramLabel = "EDITS.csv",
-      description = {
-        "Changes of voxels, as touch --record writes them: frame,body,segment,i,j,k,solid."
-            + " Each is made before the tool moves in its frame."
-      })
-  private Path editsFile;
-
-  @Option(
       names = "--export",
       paramLabel = "FILE",
       description =
@@ -174,33 +153,10 @@ public final class ReplayCommand implements Callable<Integer> {
   private Path exportFile;
 
   @Option(
-      names = "--poses",
-      paramLabel = "POSES.csv",
-      description = {
-        "Moves bodies: a header frame,body,x,y,z,qw,qx,qy,qz, then a row for each pose that a"
-            + " segment approaches from a frame on. The segments that it names can move, the"
-            + " others stand still. A point then moves as a rigid tool of one point."
-      })
-  private Path posesFile;
-
-  @Option(
-      names = "--fields",
-      paramLabel = "FIELDS.csv",
-      description =
-          "Updates of elastic segments, as touch --record-fields writes them: the replay then gives"
-              + " the bits of that session.")
-  private Path fieldsFile;
-
-  @Option(
       names = "--repeat",
       paramLabel = "N",
       description = "Replays N times, at least 3, and reports the time of solver and force.")
   private Integer repeat;
-
-  @Option(
-      names = "--raw-device",
-      description = "Handles NaN, infinities and backward times as a live session does.")
-  private boolean rawDevice;
 
   private WriteFailures failures;
   private Optional<SessionAssessment> assessment = Optional.empty();
@@ -216,7 +172,7 @@ public final class ReplayCommand implements Callable<Integer> {
     contact.settings();
     elastic.check(volume, tool);
     requireRepeatable();
-    boolean rigid = tool.isRigid() || posesFile != null;
+    boolean rigid = tool.isRigid() || recorded.movesBodies();
     tool.checkOthers(spec.commandLine().getParseResult(), rigid);
     feel.check(rigid, contact);
     feel.checkFit(false);
@@ -242,15 +198,16 @@ public final class ReplayCommand implements Callable<Integer> {
     boolean world = coordinates == Coordinates.world;
     VolumeSource source = VolumeSource.open(volume);
     List<Path> inputs = new ArrayList<>(source.files());
-    addTables(inputs);
+    inputs.addAll(recorded.files());
+    inputs.addAll(feel.files());
     Report report = new Report("replay", output.report(), inputs);
     Optional<Path> export = checkedExport(inputs);
     ReplayTables tables =
         ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
-    Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
+    Trajectory trajectory = recorded.trajectory();
     SegmentedVolume segments =
         contact.segments(source, spec.commandLine().getErr(), feel.needsGrey());
-    EditSchedule edits = edits(segments);
+    EditSchedule edits = recorded.edits(segments);
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
     ContactScene scene =
@@ -261,7 +218,8 @@ public final class ReplayCommand implements Callable<Integer> {
     ReplayRun observed =
         plain.withEdits(edits).withObserver(assessment.map(SessionAssessment::replayed));
     ReplayRun replay = deformed(observed, segments);
-    ReplayRun.Result result = run(rawDevice ? replay.inRawMode() : replay, trajectory, tables);
+    ReplayRun.Result result =
+        run(recorded.isRaw() ? replay.inRawMode() : replay, trajectory, tables);
     print(result.statistics());
     if (report.isWanted()) {
       report.putVolume(source, segments.segments());
@@ -278,9 +236,10 @@ public final class ReplayCommand implements Callable<Integer> {
 
   private ReplayRun deformed(ReplayRun replay, SegmentedVolume segments) throws IOException {
     SolverKind solver = contact.solver();
-    return fieldsFile == null
+    Optional<Path> updates = recorded.fieldsFile();
+    return updates.isEmpty()
         ? elastic.deform(replay, segments, solver)
-        : elastic.deform(replay, segments, solver, fieldsFile, FieldsCsv.read(fieldsFile));
+        : elastic.deform(replay, segments, solver, updates.get(), FieldsCsv.read(updates.get()));
   }
 
   /** Refuses what a rigid tool, or bodies that move, do not have. */
@@ -288,7 +247,9 @@ public final class ReplayCommand implements Callable<Integer> {
     if (coordinates == Coordinates.grid) {
       throw PalpateException.wrongUse(
           "a tool moves in the world",
-          posesFile == null ? "--coordinates grid with --tool" : "--coordinates grid with --poses",
+          recorded.movesBodies()
+              ? "--coordinates grid with --poses"
+              : "--coordinates grid with --tool",
           "give a trajectory in world mm");
     }
     if (elastic.isWanted()) {
@@ -297,13 +258,13 @@ public final class ReplayCommand implements Callable<Integer> {
           "--scene with --poses",
           "leave one of them out");
     }
-    if (feel.hasGreyMaterials() && posesFile != null) {
+    if (feel.hasGreyMaterials() && recorded.movesBodies()) {
       throw PalpateException.wrongUse(
           "grey values are those of bodies that stand still",
           "--material-from-grey with --poses",
           "leave one of them out");
     }
-    if (contact.protects() && posesFile != null) {
+    if (contact.protects() && recorded.movesBodies()) {
       throw PalpateException.wrongUse(
           "margins are for segments that stand still",
           "--protect with --poses",
@@ -317,20 +278,21 @@ public final class ReplayCommand implements Callable<Integer> {
     VolumeSource source = VolumeSource.open(volume);
     MadeTool made = tool.make(source);
     List<Path> inputs = new ArrayList<>(source.files());
-    addTables(inputs);
+    inputs.addAll(recorded.files());
+    inputs.addAll(feel.files());
     inputs.addAll(made.files());
     Report report = new Report("replay", output.report(), inputs);
     Optional<Path> export = checkedExport(inputs);
     ReplayTables tables =
         ReplayTables.checked(framesFile, legsFile, output.report(), inputs, failures);
-    Trajectory trajectory = TrajectoryFile.read(trajectoryFile, !rawDevice);
+    Trajectory trajectory = recorded.trajectory();
     made.notes().forEach(spec.commandLine().getErr()::println);
     SegmentedVolume segments =
         contact.segments(source, spec.commandLine().getErr(), feel.needsGrey());
-    EditSchedule edits = edits(segments);
+    EditSchedule edits = recorded.edits(segments);
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
-    List<BodyPose> poses = readPoses(segments);
+    List<BodyPose> poses = recorded.poses(segments);
     try (ChosenCollisionDevice device = collisionDevice.open(spec.commandLine().getErr())) {
       ToolScene scene =
           tool.scene(
@@ -338,13 +300,13 @@ public final class ReplayCommand implements Callable<Integer> {
               made,
               ToolReplay.movable(poses),
               device.device());
-      EditedVolume.requireNothingAddedToMovable(scene.bodies(), edits, editsFile);
+      recorded.requireNothingAddedToMovable(scene.bodies(), edits);
       assessment = assessment(scene.contactScene(), true);
       ToolReplay replay =
           new ToolReplay(
               scene,
               trajectory,
-              rawDevice,
+              recorded.isRaw(),
               edits,
               poses,
               assessment.map(SessionAssessment::replayed));
@@ -356,7 +318,7 @@ public final class ReplayCommand implements Callable<Integer> {
       }
       measured.putInto(report, result);
       if (repeat != null) {
-        putTime(new ToolReplay(scene, trajectory, rawDevice).time(repeat), report);
+        putTime(new ToolReplay(scene, trajectory, recorded.isRaw()).time(repeat), report);
       }
       report.put("collision_device", device.fields());
       NeedleFields.put(report, scene);
@@ -372,20 +334,6 @@ public final class ReplayCommand implements Callable<Integer> {
     return assess.folder().map(folder -> new SessionAssessment(folder, scene, isRigid));
   }
 
-  private void addTables(List<Path> inputs) {
-    inputs.add(trajectoryFile);
-    inputs.addAll(feel.files());
-    if (editsFile != null) {
-      inputs.add(editsFile);
-    }
-    if (posesFile != null) {
-      inputs.add(posesFile);
-    }
-    if (fieldsFile != null) {
-      inputs.add(fieldsFile);
-    }
-  }
-
   private Optional<Path> checkedExport(List<Path> inputs) throws VolumeFormatException {
     Optional<Path> export = EditedVolume.checkedExport(exportFile, inputs);
     assess.check(inputs);
@@ -398,15 +346,8 @@ public final class ReplayCommand implements Callable<Integer> {
     return export;
   }
 
-  private EditSchedule edits(SegmentedVolume segments) throws IOException {
-    return editsFile == null
-        ? EditSchedule.NONE
-        : EditsCsv.read(
-            editsFile, segments.segments().stream().map(Segment::name).toList(), segments.grids());
-  }
-
   private boolean changesVoxels() {
-    return contact.cuts() || editsFile != null;
+    return contact.cuts() || recorded.editsVoxels();
   }
 
   private void finish(Report report, EditedVolume edited, SegmentedVolume left) {
@@ -416,12 +357,6 @@ public final class ReplayCommand implements Callable<Integer> {
     edited.write(left, failures, spec.commandLine().getOut());
     report.write();
     assessment.ifPresent(files -> files.write(report.fields(), failures));
-  }
-
-  private List<BodyPose> readPoses(SegmentedVolume segments) throws IOException {
-    return posesFile == null
-        ? List.of()
-        : PosesCsv.read(posesFile, segments.segments().stream().map(Segment::name).toList());
   }
 
   private static ToolReplay.Result run(
