@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.palpate.app.process.PalpateException;
-import org.palpate.body.GrownSolids;
 import org.palpate.body.Placement;
 import org.palpate.force.EffectPlan;
 import org.palpate.force.FeelSettings;
@@ -19,13 +18,11 @@ import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
 import org.palpate.host.MaterialOverride;
 import org.palpate.host.SolverKind;
-import org.palpate.io.file.NumberText;
 import org.palpate.io.scene.SceneBody;
 import org.palpate.io.scene.SceneFile;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.proxy.smooth.field.GreyIsosurface;
-import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
@@ -322,12 +319,10 @@ public final class ContactOptions {
           "--protect",
           "leave it out, or make all bodies of the scene fixed, without poses, from one volume");
     }
-    for (Map.Entry<String, Double> margin : settings.protectedMm().entrySet()) {
-      NamedSegment.of(segments, "--protect ", margin.getKey(), margin.getKey());
-      checkMargin(segments, margin.getKey(), margin.getValue());
-    }
     List<EffectPlan> all = new ArrayList<>(feel.effects());
-    all.addAll(guidance(segments));
+    for (Protection each : Protection.all(protectedSegments)) {
+      each.guidance(segments).ifPresent(all::add);
+    }
     FeelSettings guided = new FeelSettings(all, feel.mass(), feel.materials());
     return new ContactScene(segments, source.placements(), settings(guided), grey(source));
   }
@@ -364,16 +359,6 @@ public final class ContactOptions {
     return solver() == SolverKind.SMOOTH && !"bits".equals(smoothFrom);
   }
 
-  private static void checkMargin(SegmentedVolume segments, String name, double marginMm) {
-    double mostMm = GrownSolids.MOST_GROWTH_EDGES * segments.grid().metric().shortestEdgeMm();
-    if (marginMm > mostMm) {
-      throw PalpateException.wrongUse(
-          "the margin is wider than " + NumberText.display(mostMm) + " mm, 64 voxels",
-          "--protect " + name + ":" + NumberText.display(marginMm),
-          "choose a smaller one");
-    }
-  }
-
   private Optional<GreyIsosurface> grey(VolumeSource source) throws VolumeFormatException {
     if (!allowsGrey()) {
       return Optional.empty();
@@ -396,16 +381,6 @@ public final class ContactOptions {
     Map<String, Double> margins = new LinkedHashMap<>();
     Protection.all(protectedSegments).forEach(found -> margins.put(found.name(), found.marginMm()));
     return margins;
-  }
-
-  /** Returns the pushes away from the margins of protected segments. */
-  private List<EffectPlan> guidance(SegmentedVolume segments) {
-    List<EffectPlan> plans = new ArrayList<>();
-    for (Protection found : Protection.all(protectedSegments)) {
-      Segment segment = NamedSegment.of(segments, "--protect ", found.name(), found.name());
-      found.guidance(segment, segments.grid()).ifPresent(plans::add);
-    }
-    return plans;
   }
 
   /** Whether segments are protected. */

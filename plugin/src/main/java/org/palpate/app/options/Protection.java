@@ -4,12 +4,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.app.process.PalpateException;
+import org.palpate.body.GrownSolids;
 import org.palpate.force.EffectPlan;
 import org.palpate.force.guide.GuideStrength;
 import org.palpate.force.guide.Guides;
 import org.palpate.force.guide.SegmentDistance;
 import org.palpate.io.file.NumberParser;
+import org.palpate.io.file.NumberText;
 import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -61,12 +64,27 @@ record Protection(String name, double marginMm, double guideMm) {
   /**
    * Returns the push away from the margin; empty without guidance.
    *
-   * @throws PalpateException exit code 2, if the segment is too large for one
+   * @param segments all segments, of one grid
+   * @throws PalpateException exit code 2, if there is no such segment, if the margin is too wide,
+   *     or if the segment is too large for a push
    */
-  Optional<EffectPlan> guidance(Segment segment, VoxelGrid grid) {
-    if (guideMm == 0) {
-      return Optional.empty();
+  Optional<EffectPlan> guidance(SegmentedVolume segments) {
+    Segment segment = NamedSegment.of(segments, "--protect ", name, name);
+    checkMargin(segments);
+    return guideMm == 0 ? Optional.empty() : Optional.of(push(segment, segments.grid()));
+  }
+
+  private void checkMargin(SegmentedVolume segments) {
+    double mostMm = GrownSolids.MOST_GROWTH_EDGES * segments.grid().metric().shortestEdgeMm();
+    if (marginMm > mostMm) {
+      throw PalpateException.wrongUse(
+          "the margin is wider than " + NumberText.display(mostMm) + " mm, 64 voxels",
+          "--protect " + name + ":" + NumberText.display(marginMm),
+          "choose a smaller one");
     }
+  }
+
+  private EffectPlan push(Segment segment, VoxelGrid grid) {
     double outerMm = marginMm + guideMm;
     double voxels = SegmentDistance.voxelsFor(segment.bits(), grid, outerMm);
     if (voxels > SegmentDistance.MOST_VOXELS) {
@@ -76,6 +94,6 @@ record Protection(String name, double marginMm, double guideMm) {
           "end it with :0, as in " + name + ":1:0");
     }
     SegmentDistance distance = new SegmentDistance(segment.bits(), grid, outerMm);
-    return Optional.of(Guides.away(distance, outerMm, GuideStrength.STANDARD));
+    return Guides.away(distance, outerMm, GuideStrength.STANDARD);
   }
 }
