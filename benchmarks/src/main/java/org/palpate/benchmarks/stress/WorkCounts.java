@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.palpate.collision.CollisionScene;
 import org.palpate.geometry.GridMetric;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Vec3;
 import org.palpate.proxy.InteractionPoint;
 import org.palpate.proxy.exact.GuardedSolver;
@@ -23,6 +24,10 @@ final class WorkCounts {
   private final InteractionPoint point = new InteractionPoint();
   private long[] counts = new long[1024];
   private int frames;
+  private int mostWindows;
+
+  /** The voxel that was edited last. */
+  private final IntBox edited = new IntBox();
 
   /** Creates counts of a solver in a scene, from a free start. */
   WorkCounts(
@@ -50,7 +55,9 @@ final class WorkCounts {
     if (guarded != null) {
       guarded.reset();
     } else {
-      smooth.reset();
+      edited.clear();
+      edited.include(i, j, k);
+      smooth.resetAfterEdit(edited);
     }
   }
 
@@ -64,8 +71,14 @@ final class WorkCounts {
     } else {
       smooth.follow(scene, device, point);
       steps = smooth.steps();
+      mostWindows = Math.max(mostWindows, smooth.windows());
     }
     add(steps + bits.words() - before);
+  }
+
+  /** Returns the most windows of voxels that a frame of {@code smooth} read; 0 for others. */
+  int mostWindows() {
+    return mostWindows;
   }
 
   private void add(long steps) {

@@ -86,20 +86,29 @@ public final class WorkStudy {
    * @param frames the number of frames
    * @param median the median work of a frame
    * @param p99 the 99th percentile
+   * @param p999 the 99.9th percentile
    * @param worst the largest work of a frame
+   * @param mostWindows the most windows that a frame of {@code smooth} read; 0 for other solvers
    */
-  public record Row(String hand, int frames, long median, long p99, long worst) {
+  public record Row(
+      String hand, int frames, long median, long p99, long p999, long worst, int mostWindows) {
     /** Returns the cells of its row in {@code steps-SOLVER-SEED.csv}. */
     List<Object> cells() {
       return List.of(hand, frames, median, p99, worst);
     }
 
-    static Row of(String hand, long[] counts) {
-      long[] sorted = counts.clone();
+    static Row of(String hand, List<WorkCounts> parts) {
+      long[] sorted = parts.stream().flatMapToLong(part -> Arrays.stream(part.counts())).toArray();
       Arrays.sort(sorted);
       int last = sorted.length - 1;
       return new Row(
-          hand, sorted.length, sorted[last / 2], sorted[(int) (last * 0.99)], sorted[last]);
+          hand,
+          sorted.length,
+          sorted[last / 2],
+          sorted[(int) (last * 0.99)],
+          sorted[(int) (last * 0.999)],
+          sorted[last],
+          parts.stream().mapToInt(WorkCounts::mostWindows).max().orElseThrow());
     }
   }
 
@@ -113,7 +122,7 @@ public final class WorkStudy {
       BitCube bits = Phantom.parse(phantom).segments().segments().get(0).bits();
       Trajectory trajectory =
           Trajectories.jumps(bits.sizeX(), bits.sizeY(), bits.sizeZ(), jumps, seed);
-      rows.add(Row.of("jumps, " + phantom, follow(bits, trajectory)));
+      rows.add(Row.of("jumps, " + phantom, List.of(follow(bits, trajectory))));
     }
     rows.add(hostile());
     rows.add(slices(SLICES, ONE_LONG_AXIS, false));
@@ -135,10 +144,10 @@ public final class WorkStudy {
             speed,
             SLIDE_FRAMES,
             seed);
-    return Row.of(name, follow(phantom.segments().segments().get(0).bits(), slide));
+    return Row.of(name, List.of(follow(phantom.segments().segments().get(0).bits(), slide)));
   }
 
-  private long[] follow(BitCube bits, Trajectory trajectory) {
+  private WorkCounts follow(BitCube bits, Trajectory trajectory) {
     GridMetric unit = new GridMetric(1, 1, 1);
     Vec3 device = trajectory.position(0, new Vec3());
     Vec3 start = new Vec3().set(device);
@@ -152,11 +161,11 @@ public final class WorkStudy {
     for (int frame = 0; frame < trajectory.size(); frame++) {
       counts.follow(trajectory.position(frame, device));
     }
-    return counts.counts();
+    return counts;
   }
 
   private Row hostile() {
-    long[] all = new long[cases * StressCase.FRAMES];
+    List<WorkCounts> all = new ArrayList<>();
     for (int number = 0; number < cases; number++) {
       StressCase stress = new StressCase(StressRun.caseSeed(seed, number));
       double maxStepMm = ContactSettings.defaultMaxStepMm(stress.scene.spacingMm());
@@ -168,7 +177,7 @@ public final class WorkStudy {
         stress.next(frame, counts.position(), device);
         counts.follow(device);
       }
-      System.arraycopy(counts.counts(), 0, all, number * StressCase.FRAMES, StressCase.FRAMES);
+      all.add(counts);
     }
     return Row.of(HOSTILE, all);
   }
@@ -179,15 +188,14 @@ public final class WorkStudy {
    */
   private Row slices(String name, List<Vec3> spacings, boolean edited) {
     int frames = jumps / spacings.size();
-    long[] all = new long[frames * spacings.size()];
-    for (int n = 0; n < spacings.size(); n++) {
-      long[] counts = jumpAmongSlices(spacings.get(n), frames, edited);
-      System.arraycopy(counts, 0, all, frames * n, frames);
+    List<WorkCounts> all = new ArrayList<>();
+    for (Vec3 edges : spacings) {
+      all.add(jumpAmongSlices(edges, frames, edited));
     }
     return Row.of(name, all);
   }
 
-  private long[] jumpAmongSlices(Vec3 edges, int frames, boolean edited) {
+  private WorkCounts jumpAmongSlices(Vec3 edges, int frames, boolean edited) {
     SplittableRandom random = new SplittableRandom(seed);
     int rows = (int) (SLICES_EDGE / edges.y);
     BitCube bits = new BitCube(SLICES_EDGE, rows, (int) (SLICES_EDGE / edges.z));
@@ -215,6 +223,6 @@ public final class WorkStudy {
       }
       counts.follow(device);
     }
-    return counts.counts();
+    return counts;
   }
 }

@@ -35,6 +35,12 @@ public final class SmoothSolver implements ProxySolver {
   public static final double MAX_EDGE_RATIO = 10;
 
   /**
+   * The windows of voxels that a frame reads at most, whatever the scene and the device do. They
+   * bound the work of a frame.
+   */
+  public static final int MOST_WINDOWS = WindowBudget.MOST_WINDOWS;
+
+  /**
    * The gain beyond the rule that a change from the isosurface to the voxel faces needs, so that
    * frames do not alternate between them.
    */
@@ -61,6 +67,7 @@ public final class SmoothSolver implements ProxySolver {
 
   private long evaluationsBefore;
   private long columnsBefore;
+  private long windowsBefore;
   private int voxelSteps;
   private CollisionScene scene;
   private Vec3 device;
@@ -152,6 +159,11 @@ public final class SmoothSolver implements ProxySolver {
     return (int) (evaluations + columns) + motion.casts() + voxelSteps;
   }
 
+  /** {@return the windows of voxels that the last frame read, at most {@link #MOST_WINDOWS}} */
+  public int windows() {
+    return (int) (field.windowReads() - windowsBefore);
+  }
+
   @Override
   public void follow(CollisionScene newScene, Vec3 devicePosition, InteractionPoint newPoint) {
     beginFrame(newScene, devicePosition, newPoint);
@@ -179,6 +191,7 @@ public final class SmoothSolver implements ProxySolver {
     motion.beginFrame(newScene, newPoint);
     evaluationsBefore = field.sample().evaluation();
     columnsBefore = field.interpolatedColumns();
+    windowsBefore = field.windowReads();
     voxelSteps = 0;
   }
 

@@ -60,7 +60,7 @@ final class SurfaceSlide {
     for (int n = 0; n < MAX_ITERATIONS && goesOn && motion.canMove(); n++) {
       goesOn = iterate(n, device);
       if (goesOn && budget.isSpent()) {
-        goesOn = !rule.accepts(motion.position(), device, limit);
+        goesOn = !budget.isOverdrawn() && !rule.accepts(motion.position(), device, limit);
       }
     }
   }

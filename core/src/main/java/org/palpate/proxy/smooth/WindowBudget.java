@@ -7,7 +7,8 @@ import org.palpate.proxy.smooth.field.OccupancyField;
  * time.
  *
  * <p>A frame that has spent its budget and made progress leaves the rest of a long path to the next
- * frame. A device that moves two voxels a frame needs one or two windows.
+ * frame. A device that moves two voxels a frame needs one or two windows. No frame reads more than
+ * {@link #MOST_WINDOWS}, whatever the scene and the device do.
  */
 final class WindowBudget {
   /** The windows of an ordinary frame. */
@@ -15,6 +16,16 @@ final class WindowBudget {
 
   /** The windows beyond the budget that a search may read to finish what it has begun. */
   private static final int OVERDRAFT = 5;
+
+  /**
+   * The windows that a frame may read after that, because they end what it does. Five belong to the
+   * iteration of the slide: two intersections and three steps of searches. Two belong to the
+   * potentials that decide whether the slide counts, and whether the way along the voxels does.
+   */
+  private static final int ENDING = 7;
+
+  /** The windows that a frame reads at most. */
+  static final int MOST_WINDOWS = WINDOWS + OVERDRAFT + ENDING;
 
   private final OccupancyField field;
   private long limit;
@@ -33,7 +44,7 @@ final class WindowBudget {
     return field.windowReads() >= limit;
   }
 
-  /** Whether searches must stop and return their best result so far. */
+  /** Whether searches must stop and return their best result so far, and no other may begin. */
   boolean isOverdrawn() {
     return field.windowReads() >= limit + OVERDRAFT;
   }
