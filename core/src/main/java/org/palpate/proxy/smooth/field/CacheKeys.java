@@ -4,8 +4,12 @@ import java.util.Arrays;
 import org.palpate.geometry.IntBox;
 
 /**
- * The keys of a direct-mapped cache over three integer coordinates. Coordinates that are equal
- * modulo the edge of the cache share a slot; the one that was set last holds it.
+ * The keys of a direct-mapped cache over three integer coordinates. Positions that share a slot
+ * take it from each other: the one that was set last holds it.
+ *
+ * <p>Positions that lie less than a quarter of the cache's edge apart along each axis have
+ * different slots. Blocks as large as the cache are turned against each other. Otherwise both sides
+ * of a solid that is as wide as such a block would take all their slots from each other.
  */
 final class CacheKeys {
   private static final int LONGS = 2;
@@ -18,6 +22,9 @@ final class CacheKeys {
   private final int shift;
 
   private final int mask;
+
+  /** By how many slots a block is turned against the next one, along one axis. */
+  private final int turn;
 
   /** For each slot x and y in one word, z and the generation in the next. */
   private final long[] keys;
@@ -33,6 +40,7 @@ final class CacheKeys {
   CacheKeys(int edge) {
     shift = Integer.numberOfTrailingZeros(edge);
     mask = edge - 1;
+    turn = 3 * edge / 8 + 1;
     keys = new long[LONGS * edge * edge * edge];
   }
 
@@ -85,7 +93,10 @@ final class CacheKeys {
 
   /** Returns the slot for a position. */
   int slot(int x, int y, int z) {
-    return ((z & mask) << shift | (y & mask)) << shift | (x & mask);
+    int atX = x + turn * (y >> shift) & mask;
+    int atY = y + turn * (z >> shift) & mask;
+    int atZ = z + turn * (x >> shift) & mask;
+    return (atZ << shift | atY) << shift | atX;
   }
 
   /** Whether a slot holds a position. */

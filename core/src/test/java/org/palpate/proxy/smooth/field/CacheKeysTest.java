@@ -2,6 +2,7 @@ package org.palpate.proxy.smooth.field;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.HashSet;
@@ -10,18 +11,44 @@ import org.junit.jupiter.api.Test;
 import org.palpate.geometry.IntBox;
 
 class CacheKeysTest {
-  private final CacheKeys keys = new CacheKeys(4);
+  private static final int EDGE = 16;
+
+  private final CacheKeys keys = new CacheKeys(EDGE);
 
   @Test
-  void neighboursHaveDifferentSlots() {
+  void neighboursHaveDifferentSlotsWhereverTheyLie() {
     Set<Integer> slots = new HashSet<>();
-    for (int n = 0; n < 64; n++) {
-      int slot = keys.slot(-3 + (n & 3), 5 + (n >> 2 & 3), 7 + (n >> 4));
-      assertTrue(slot >= 0 && slot < keys.slots());
-      slots.add(slot);
+    for (int corner = 0; corner < EDGE * EDGE * EDGE; corner++) {
+      slots.clear();
+      for (int n = 0; n < 64; n++) {
+        int x = corner % EDGE - 19 + (n & 3);
+        int y = corner / EDGE % EDGE - 3 + (n >> 2 & 3);
+        int z = corner / EDGE / EDGE + 29 + (n >> 4);
+        int slot = keys.slot(x, y, z);
+        assertTrue(slot >= 0 && slot < keys.slots());
+        slots.add(slot);
+      }
+      assertEquals(64, slots.size(), "corner " + corner);
     }
-    assertEquals(64, slots.size());
-    assertEquals(64, keys.slots());
+  }
+
+  @Test
+  void aBlockHasAsManySlotsAsPositions() {
+    Set<Integer> slots = new HashSet<>();
+    for (int n = 0; n < EDGE * EDGE * EDGE; n++) {
+      slots.add(keys.slot(n % EDGE - EDGE, n / EDGE % EDGE, n / EDGE / EDGE + 2 * EDGE));
+    }
+    assertEquals(keys.slots(), slots.size());
+  }
+
+  @Test
+  void oppositeSidesOfAWideSolidHaveDifferentSlots() {
+    for (int blocks = 1; blocks < EDGE; blocks++) {
+      int far = blocks * EDGE;
+      assertNotEquals(keys.slot(3, 5, 7), keys.slot(3 + far, 5, 7));
+      assertNotEquals(keys.slot(3, 5, 7), keys.slot(3, 5 + far, 7));
+      assertNotEquals(keys.slot(3, 5, 7), keys.slot(3, 5, 7 + far));
+    }
   }
 
   @Test
@@ -31,10 +58,11 @@ class CacheKeysTest {
     assertFalse(keys.holdsElseSet(slot, 1, -2, 3));
     assertTrue(keys.holds(slot, 1, -2, 3));
     assertTrue(keys.holdsElseSet(slot, 1, -2, 3));
+    int far = EDGE * EDGE;
     for (int axis = 0; axis < 3; axis++) {
-      int x = 1 + (axis == 0 ? 4 : 0);
-      int y = -2 + (axis == 1 ? 4 : 0);
-      int z = 3 + (axis == 2 ? 4 : 0);
+      int x = 1 + (axis == 0 ? far : 0);
+      int y = -2 + (axis == 1 ? far : 0);
+      int z = 3 + (axis == 2 ? far : 0);
       assertEquals(slot, keys.slot(x, y, z));
       assertFalse(keys.holds(slot, x, y, z));
       assertFalse(keys.holdsElseSet(slot, x, y, z));
