@@ -68,6 +68,12 @@ public record FracturePhantom(int edge, FractureSpec fracture) {
       throw new SpecificationException(
           "phantom edge is not a number", spec, "write fracture[:EDGE[:PARTS[:SEED[:KERF]]]]");
     }
+    if (!spec.matches(NAME + "(:[0-9]{1,9}){0,2}(:[0-9]{1,18}(:[0-9]{1,9})?)?")) {
+      throw new SpecificationException(
+          "phantom fracture not understood",
+          spec,
+          "write fracture[:EDGE[:PARTS[:SEED[:KERF]]]], for example fracture:160:4:7:1");
+    }
     String fracture = words.length > 2 ? words[2] : Integer.toString(DEFAULT_PARTS);
     return new FracturePhantom(Integer.parseInt(edge), FractureSpec.parse(fracture));
   }

@@ -87,7 +87,13 @@ class BlockAndFracturePhantomTest {
     assertEquals("phantom edge out of range: edge=63: choose 64 to 1024", refusal("fracture:63"));
     assertEquals(
         "phantom edge out of range: edge=1025: choose 64 to 1024", refusal("fracture:1025"));
-    assertTrue(refusal("fracture:64:1:2:3:4").startsWith("fracture not understood"));
+    for (String wrong : List.of("fracture:64:4:1:1:1", "fracture:64:x", "fracture:64:4:-1")) {
+      assertEquals(
+          "phantom fracture not understood: "
+              + wrong
+              + ": write fracture[:EDGE[:PARTS[:SEED[:KERF]]]], for example fracture:160:4:7:1",
+          refusal(wrong));
+    }
     assertEquals(64, FracturePhantom.parse("fracture:64").edge());
     assertEquals(1024, FracturePhantom.parse("fracture:1024").edge());
   }

@@ -9,6 +9,7 @@ import org.palpate.app.process.PalpateException;
 import org.palpate.io.resample.Plane;
 import org.palpate.volume.ConnectedComponents.Neighbours;
 import org.palpate.volume.Segment;
+import org.palpate.volume.SpecificationException;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.fracture.FractureSpec;
 import org.palpate.volume.fracture.FragmentCutter;
@@ -80,7 +81,11 @@ public final class FragmentOptions {
 
   /** Returns the specification of the fracture. */
   public FractureSpec spec() {
-    return checked(() -> FractureSpec.parse(fracture));
+    try {
+      return FractureSpec.parse(fracture);
+    } catch (SpecificationException e) {
+      throw PalpateException.wrongUse(e.what(), "--fracture " + fracture, e.remedy(), e);
+    }
   }
 
   private void checkSplit() {

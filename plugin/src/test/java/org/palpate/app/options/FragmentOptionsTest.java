@@ -69,12 +69,15 @@ class FragmentOptionsTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "1|number of fragments out of range: 1: choose 2 to 8",
-        "9|number of fragments out of range: 9: choose 2 to 8",
-        "4:1:5|saw kerf out of range: 5: choose 0 to 4 voxels",
-        "4:1:1:1|fracture not understood: '4:1:1:1': write PARTS[:SEED[:KERF]], for example 4:7:1",
-        "four|fracture not understood: 'four': write PARTS[:SEED[:KERF]], for example 4:7:1",
-        "4:-1|fracture not understood: '4:-1': write PARTS[:SEED[:KERF]], for example 4:7:1"
+        "1|number of fragments out of range: --fracture 1: choose 2 to 8",
+        "9|number of fragments out of range: --fracture 9: choose 2 to 8",
+        "4:1:5|saw kerf out of range: --fracture 4:1:5: choose 0 to 4 voxels",
+        "4:1:1:1|fracture not understood: --fracture 4:1:1:1: write PARTS[:SEED[:KERF]], for"
+            + " example 4:7:1",
+        "four|fracture not understood: --fracture four: write PARTS[:SEED[:KERF]], for example"
+            + " 4:7:1",
+        "4:-1|fracture not understood: --fracture 4:-1: write PARTS[:SEED[:KERF]], for example"
+            + " 4:7:1"
       })
   void aFractureOutOfRangeIsRefused(String text, String line) {
     Given.refuses(line, () -> options("--fracture=" + text).check(FILE));
