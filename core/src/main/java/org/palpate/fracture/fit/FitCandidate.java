@@ -19,6 +19,12 @@ record FitCandidate(Pose pose, double score) {
   /** They do if their rotations also differ by less than this. */
   private static final double SAME_RAD = Math.toRadians(6);
 
+  /** Two poses whose displacement is larger than this are different places, edges. */
+  private static final double ELSEWHERE_EDGES = 5;
+
+  /** Two poses whose rotations differ by more than this are different places, too. */
+  private static final double ELSEWHERE_RAD = Math.toRadians(15);
+
   /**
    * Returns the best of some candidates that differ from each other, the best first.
    *
@@ -39,6 +45,11 @@ record FitCandidate(Pose pose, double score) {
       }
     }
     return kept;
+  }
+
+  /** Whether two poses are different places, more than an error of a fit apart. */
+  static boolean isElsewhere(Pose one, Pose two, Vec3 centroid, double edgeMm) {
+    return !isNear(one, two, centroid, ELSEWHERE_EDGES * edgeMm, ELSEWHERE_RAD);
   }
 
   /** Whether two poses are near each other at a point, and their rotations too. */

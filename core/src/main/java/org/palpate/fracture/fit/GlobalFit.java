@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
-import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
@@ -52,8 +52,8 @@ public final class GlobalFit {
 
   private static final double LEAST_ROUGH_SCORE = 0.1;
 
-  /** No more pairs are drawn when this many poses vote. */
-  private static final int ENOUGH_VOTING = 20_000;
+  /** The most poses that vote; no more are laid then. */
+  private static final int MOST_VOTING = 10_000;
 
   /** The number of poses that enter the first round. */
   private static final int KEPT = 1000;
@@ -87,7 +87,8 @@ public final class GlobalFit {
 
   private final PointGrid[] points;
   private final RimPoints[] rims;
-  private final RimPairs[] pairs;
+  private final RimPairs[] sharpPairs;
+  private final RimPairs[] allPairs;
 
   private final RimLaying laying = new RimLaying();
 
@@ -96,7 +97,7 @@ public final class GlobalFit {
    *
    * @param pose the pose of the fragment, from rest to present, world mm
    * @param scoreMm2 the area that speaks for the pose less the area against it, mm^2
-   * @param nextScoreMm2 the score of the best pose that differs from it, mm^2; 0 without one
+   * @param nextScoreMm2 the score of the best pose at another place, mm^2; 0 without one
    */
   public record Proposal(Pose pose, double scoreMm2, double nextScoreMm2) {}
 
@@ -116,7 +117,8 @@ public final class GlobalFit {
     cells = new SurfaceCells[fragments.size()];
     points = new PointGrid[fragments.size()];
     rims = new RimPoints[fragments.size()];
-    pairs = new RimPairs[fragments.size()];
+    sharpPairs = new RimPairs[fragments.size()];
+    allPairs = new RimPairs[fragments.size()];
   }
 
   /**
@@ -147,19 +149,63 @@ public final class GlobalFit {
     if (best.isEmpty() || best.get(0).score() <= 0) {
       return Optional.empty();
     }
+    Vec3 centroid = surfaces.of(fragment).centroid();
     Pose pose = poses.get(other).multiply(best.get(0).pose(), new Pose());
     pose.rotation.normalize();
-    double next = best.size() > 1 ? Math.max(0, best.get(1).score()) : 0;
+    double next =
+        best.stream()
+            .filter(
+                each -> FitCandidate.isElsewhere(each.pose(), best.get(0).pose(), centroid, edgeMm))
+            .mapToDouble(FitCandidate::score)
+            .reduce(0, Math::max);
     return Optional.of(new Proposal(pose, best.get(0).score(), next));
   }
 
-  /** Returns the two best poses at which a fragment fits to another, the best first. */
+  /** Whether two poses of a fragment are different places, more than an error of the fit apart. */
+  boolean isElsewhere(int fragment, Pose one, Pose two) {
+    return FitCandidate.isElsewhere(one, two, surfaces.of(fragment).centroid(), edgeMm);
+  }
+
+  /**
+   * Scores a pose of a fragment beside another one that it need not touch.
+   *
+   * @param relative leads from the rest of the fragment to the rest of the other
+   * @return the area that speaks for the pose less the area against it, mm^2; 0 far away
+   */
+  double score(int fragment, int other, Pose relative) {
+    FragmentSurface surface = surfaces.of(fragment);
+    if (surface.points().isEmpty() || surfaces.of(other).points().isEmpty()) {
+      return 0;
+    }
+    int[] read = spread(surface.points().size(), POINTS_FINE);
+    return new Junction(surface, cells(other), edgeMm, gapMm).score(relative, read);
+  }
+
+  /**
+   * Returns the pose at which {@link FaceFit} lays a fragment on all others; its own without one.
+   */
+  Pose settled(int fragment, List<Integer> others, List<Pose> poses) {
+    List<Integer> all = new ArrayList<>(List.of(fragment));
+    all.addAll(others);
+    FaceFit fit =
+        new FaceFit(
+            all.stream().map(grids::get).toList(),
+            all.stream().map(fragments::get).toList(),
+            OptionalDouble.of(gapMm));
+    return fitted(fit, all.stream().map(poses::get).toList(), surfaces.of(fragment).centroid());
+  }
+
+  /** Returns some of the best poses at which a fragment fits to another, the best first. */
   private List<FitCandidate> search(int fragment, int other, Pose start) {
     FragmentSurface surface = surfaces.of(fragment);
     Junction junction = new Junction(surface, cells(other), edgeMm, gapMm);
-    List<FitCandidate> found = lay(fragment, other, start, junction);
+    List<FitCandidate> found = new ArrayList<>();
+    for (boolean isSharp : new boolean[] {true, false}) {
+      List<FitCandidate> laid = lay(fragment, other, isSharp, start, junction);
+      found.addAll(different(laid, surface, KEPT));
+    }
     int[] read = spread(surface.points().size(), POINTS);
-    found = refine(different(found, surface, KEPT), junction, read, WIDTH_EDGES);
+    found = refine(found, junction, read, WIDTH_EDGES);
     read = spread(surface.points().size(), POINTS_FINE);
     found = refine(different(found, surface, KEPT_FINE), junction, read, WIDTH_FINE_EDGES);
     List<FitCandidate> exact = new ArrayList<>();
@@ -169,10 +215,10 @@ public final class GlobalFit {
             List.of(fragments.get(fragment), fragments.get(other)),
             OptionalDouble.of(gapMm));
     for (FitCandidate each : different(found, surface, KEPT_EXACT)) {
-      Pose pose = fitted(local, each.pose(), surface.centroid());
+      Pose pose = fitted(local, List.of(each.pose(), new Pose()), surface.centroid());
       exact.add(new FitCandidate(pose, junction.exactScore(pose, read)));
     }
-    return different(exact, surface, 2);
+    return different(exact, surface, KEPT_EXACT);
   }
 
   private List<FitCandidate> different(List<FitCandidate> all, FragmentSurface surface, int most) {
@@ -194,11 +240,11 @@ public final class GlobalFit {
   /**
    * Returns the pose near another at which {@link FaceFit} finds the fit, or that pose without one.
    */
-  private static Pose fitted(FaceFit local, Pose pose, Vec3 centroid) {
+  private static Pose fitted(FaceFit local, List<Pose> poses, Vec3 centroid) {
     return local
-        .fit(0, n -> false, List.of(pose, new Pose()))
+        .fit(0, n -> false, poses)
         .map(target -> ofRest(target.pose(), centroid))
-        .orElse(pose);
+        .orElse(poses.get(0));
   }
 
   /** Returns the pose from rest that belongs to the pose of a point of the fragment. */
@@ -211,21 +257,27 @@ public final class GlobalFit {
   }
 
   /** Lays pairs of rim points on each other, and returns the poses with their votes. */
-  private List<FitCandidate> lay(int fragment, int other, Pose start, Junction junction) {
+  private List<FitCandidate> lay(
+      int fragment, int other, boolean isSharp, Pose start, Junction junction) {
     FragmentSurface surface = surfaces.of(fragment);
     RimPoints own = rim(fragment);
+    int size = isSharp ? own.sharp() : own.size();
+    if (size == 0) {
+      return List.of();
+    }
     int[] whole = spread(surface.points().size(), WHOLE_POINTS);
     List<FitCandidate> all = new ArrayList<>();
     SplittableRandom random = new SplittableRandom(SEED);
-    for (int n = 0; n < DRAWS && all.size() < ENOUGH_VOTING; n++) {
-      RimPoints.Frame one = own.frame(random.nextInt(own.size()));
-      RimPoints.Frame two = own.frame(random.nextInt(own.size()));
+    for (int n = 0; n < DRAWS && all.size() < MOST_VOTING; n++) {
+      RimPoints.Frame one = own.frame(random.nextInt(size));
+      RimPoints.Frame two = own.frame(random.nextInt(size));
       int[] near = near(fragment, one.point(), two.point());
       if (near.length > 0) {
         layPair(
             one,
             two,
             other,
+            isSharp,
             pose -> {
               if (FitCandidate.isNear(pose, start, surface.centroid(), FARTHEST_MM, FARTHEST_RAD)) {
                 double score = junction.roughScore(pose, near, whole);
@@ -233,24 +285,33 @@ public final class GlobalFit {
                   all.add(new FitCandidate(pose, score));
                 }
               }
+              return all.size() < MOST_VOTING;
             });
       }
     }
     return PoseVotes.count(all, surface.centroid(), edgeMm);
   }
 
-  /** Lays a pair on all pairs of another surface that fit to it. */
-  private void layPair(RimPoints.Frame one, RimPoints.Frame two, int other, Consumer<Pose> poses) {
+  /**
+   * Lays a pair on all pairs of another surface that fit to it.
+   *
+   * @param wantsMore receives the poses; returns whether it wants another one
+   */
+  private void layPair(
+      RimPoints.Frame one,
+      RimPoints.Frame two,
+      int other,
+      boolean isSharp,
+      Predicate<Pose> wantsMore) {
     RimPoints faced = rim(other);
-    pairs(other)
+    pairs(other, isSharp)
         .findFitting(
             one,
             two,
             (first, second) -> {
               Pose pose = new Pose();
-              if (laying.lay(one, two, faced.frame(first), faced.frame(second), pose)) {
-                poses.accept(pose);
-              }
+              return !laying.lay(one, two, faced.frame(first), faced.frame(second), pose)
+                  || wantsMore.test(pose);
             });
   }
 
@@ -277,9 +338,11 @@ public final class GlobalFit {
     return rims[fragment];
   }
 
-  private RimPairs pairs(int fragment) {
+  private RimPairs pairs(int fragment, boolean isSharp) {
+    RimPairs[] pairs = isSharp ? sharpPairs : allPairs;
     if (pairs[fragment] == null) {
-      pairs[fragment] = new RimPairs(rim(fragment), edgeMm);
+      RimPoints rim = rim(fragment);
+      pairs[fragment] = new RimPairs(rim, isSharp ? rim.sharp() : rim.size(), edgeMm);
     }
     return pairs[fragment];
   }

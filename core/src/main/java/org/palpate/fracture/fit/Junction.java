@@ -62,6 +62,9 @@ final class Junction {
   /** The longest step, edges. */
   private static final double STEP_EDGES = 2;
 
+  /** A step shorter than this ends the motion, edges. */
+  private static final double SMALL_STEP_EDGES = 0.02;
+
   private final FragmentSurface surface;
   private final SurfaceCells faced;
   private final double edgeMm;
@@ -171,13 +174,7 @@ final class Junction {
    * @return the area that speaks for the pose less the area against it, mm^2
    */
   double score(Pose pose, int[] points) {
-    map.set(pose);
-    double sum = 0;
-    for (int n : points) {
-      sum += faceScore(n) + SKIN_WEIGHT * skin(n, CONTACT_EDGES * edgeMm);
-      sum -= isInside(n, INSIDE_EDGES * edgeMm) ? INSIDE_COST : 0;
-    }
-    return sum * surface.areaMm2() * surface.points().size() / points.length;
+    return score(pose, points, 0);
   }
 
   /**
@@ -187,13 +184,26 @@ final class Junction {
    * @return the area that speaks for the pose less the area against it, mm^2
    */
   double exactScore(Pose pose, int[] points) {
+    return score(pose, points, EXACT_WEIGHT);
+  }
+
+  private double score(Pose pose, int[] points, double exactWeight) {
     map.set(pose);
+    double contact = 0;
     double exact = 0;
+    double skin = 0;
+    double against = 0;
     for (int n : points) {
-      exact += faces(n) ? touching(EXACT_EDGES) : 0;
+      double face = faceScore(n);
+      contact += Math.max(0, face);
+      against -= Math.min(0, face);
+      exact += face > 0 ? touching(EXACT_EDGES) : 0;
+      skin += SKIN_WEIGHT * skin(n, CONTACT_EDGES * edgeMm);
+      against += isInside(n, INSIDE_EDGES * edgeMm) ? INSIDE_COST : 0;
     }
-    double areaMm2 = exact * surface.areaMm2() * surface.points().size() / points.length;
-    return score(pose, points) + EXACT_WEIGHT * areaMm2;
+    double plain = skin + Math.min(contact, skin) - against;
+    double sum = plain + (plain > 0 ? exactWeight * Math.min(exact, skin) : 0);
+    return sum * surface.areaMm2() * surface.points().size() / points.length;
   }
 
   private double faceScore(int n) {
@@ -241,17 +251,20 @@ final class Junction {
         return;
       }
       equations.solve(pairs, LEAST_NOISE_EDGES * edgeMm);
-      move(pose, equations.step());
+      if (move(pose, equations.step()) < SMALL_STEP_EDGES * edgeMm) {
+        return;
+      }
     }
   }
 
-  /** Moves a pose by a step about the centre. */
-  private void move(Pose pose, double[] step) {
+  /** Moves a pose by a step about the centre. Returns the length of the whole step, mm. */
+  private double move(Pose pose, double[] step) {
     double square = 0;
     for (double s : step) {
       square += s * s;
     }
-    double part = Math.min(1, STEP_EDGES * edgeMm / Math.sqrt(Math.max(square, Double.MIN_NORMAL)));
+    double length = Math.sqrt(square);
+    double part = Math.min(1, STEP_EDGES * edgeMm / Math.max(length, Double.MIN_NORMAL));
     double turned = part / surface.leverMm();
     turn.setRotationVector(along.set(turned * step[3], turned * step[4], turned * step[5]));
     turn.rotate(pose.translation.sub(centre, pose.translation), pose.translation);
@@ -260,5 +273,6 @@ final class Junction {
     pose.translation.add(along, pose.translation);
     turn.multiply(pose.rotation, pose.rotation);
     pose.rotation.normalize();
+    return length;
   }
 }

@@ -1,9 +1,8 @@
 package org.palpate.fracture.fit;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import org.palpate.geometry.Pose;
+import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 
 /**
@@ -20,73 +19,70 @@ final class PoseVotes {
   /** Poses vote for each other only if the angle between them is smaller than this. */
   private static final double NEAR_RAD = Math.toRadians(12);
 
-  /** The components of a pose in the table: the centroid, the rotation, the score. */
-  private static final int WIDTH = 8;
-
   private PoseVotes() {}
 
   /**
    * Returns the same poses with their votes as scores. The work is at most quadratic in their
-   * number, with a table that the processor reads in order.
+   * number, and much less if their rotations differ.
    *
+   * @param all poses whose rotations differ by less than 180 degrees
    * @param centroid the centroid of the fragment
    * @param edgeMm the edge of a voxel, mm
    */
   static List<FitCandidate> count(List<FitCandidate> all, Vec3 centroid, double edgeMm) {
     double mostMm = NEAR_EDGES * edgeMm;
     double leastDot = StrictMath.cos(NEAR_RAD / 2);
-    List<FitCandidate> ordered = new ArrayList<>(all);
-    ordered.sort(Comparator.comparingDouble(each -> each.pose().transform(centroid, new Vec3()).x));
-    double[] table = table(ordered, centroid);
-    double[] votes = new double[ordered.size()];
-    for (int n = 0; n < votes.length; n++) {
-      int a = WIDTH * n;
-      votes[n] += table[a + 7];
-      for (int b = a + WIDTH; b < table.length && table[b] - table[a] < mostMm; b += WIDTH) {
-        if (isNear(table, a, b, mostMm, leastDot)) {
-          votes[n] += table[b + 7];
-          votes[b / WIDTH] += table[a + 7];
+    double chord = 2 * StrictMath.sin(NEAR_RAD / 4);
+    List<Vec3> turns = turns(all);
+    PointGrid grid = new PointGrid(turns, chord);
+    double[] places = places(all, centroid);
+    List<FitCandidate> voted = new ArrayList<>();
+    for (int n = 0; n < all.size(); n++) {
+      double votes = 0;
+      for (int m : grid.around(turns.get(n), chord)) {
+        FitCandidate voter = all.get(m);
+        if (squareMm2(places, n, m) < mostMm * mostMm
+            && Math.abs(voter.pose().rotation.dot(all.get(n).pose().rotation)) > leastDot) {
+          votes += voter.score();
         }
       }
-    }
-    List<FitCandidate> voted = new ArrayList<>();
-    for (int n = 0; n < votes.length; n++) {
-      voted.add(new FitCandidate(ordered.get(n).pose(), votes[n]));
+      voted.add(new FitCandidate(all.get(n).pose(), votes));
     }
     return voted;
   }
 
-  private static double[] table(List<FitCandidate> all, Vec3 centroid) {
-    double[] table = new double[WIDTH * all.size()];
-    Vec3 at = new Vec3();
-    for (int n = 0; n < all.size(); n++) {
-      Pose pose = all.get(n).pose();
-      pose.transform(centroid, at);
-      double[] row = {
-        at.x,
-        at.y,
-        at.z,
-        pose.rotation.w,
-        pose.rotation.x,
-        pose.rotation.y,
-        pose.rotation.z,
-        all.get(n).score()
-      };
-      System.arraycopy(row, 0, table, WIDTH * n, WIDTH);
+  /**
+   * Returns the rotation of each pose relative to the first, as the vector part of a quaternion. If
+   * rotations are near each other, their vectors differ by no more than the quaternions do.
+   */
+  private static List<Vec3> turns(List<FitCandidate> all) {
+    List<Vec3> turns = new ArrayList<>();
+    Quaternion turn = new Quaternion();
+    for (FitCandidate each : all) {
+      all.get(0).pose().rotation.conjugate(turn).multiply(each.pose().rotation, turn);
+      double sign = turn.w < 0 ? -1 : 1;
+      turns.add(new Vec3(sign * turn.x, sign * turn.y, sign * turn.z));
     }
-    return table;
+    return turns;
   }
 
-  /** Whether the poses of two rows are near each other. */
-  private static boolean isNear(double[] table, int a, int b, double mostMm, double leastDot) {
-    double dot = 0;
-    for (int n = 3; n < 7; n++) {
-      dot += table[a + n] * table[b + n];
+  /** Returns the components of each centroid. */
+  private static double[] places(List<FitCandidate> all, Vec3 centroid) {
+    double[] places = new double[3 * all.size()];
+    Vec3 at = new Vec3();
+    for (int n = 0; n < all.size(); n++) {
+      all.get(n).pose().transform(centroid, at);
+      places[3 * n] = at.x;
+      places[3 * n + 1] = at.y;
+      places[3 * n + 2] = at.z;
     }
-    double square = 0;
-    for (int n = 0; n < 3; n++) {
-      square += (table[a + n] - table[b + n]) * (table[a + n] - table[b + n]);
-    }
-    return square < mostMm * mostMm && Math.abs(dot) > leastDot;
+    return places;
+  }
+
+  private static double squareMm2(double[] places, int n, int m) {
+    double x = places[3 * n] - places[3 * m];
+    double y = places[3 * n + 1] - places[3 * m + 1];
+    double z = places[3 * n + 2] - places[3 * m + 2];
+    return x * x + y * y + z * z;
   }
 }

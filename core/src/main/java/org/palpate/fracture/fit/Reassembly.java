@@ -1,6 +1,7 @@
 package org.palpate.fracture.fit;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntPredicate;
@@ -10,16 +11,23 @@ import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Proposes a pose for each fragment of a bone. Fragments that cannot move are in place. Each call
- * of {@link #add} adds the fragment that fits best to one in place, at the pose that {@link
- * GlobalFit} finds. Nothing is moved, and fragments may overlap at the proposed poses. One thread
- * an instance, never the haptic one.
+ * Proposes a pose for each fragment of a bone. Fragments that cannot move are in place. {@link
+ * GlobalFit} finds poses beside each fragment in place. Each call of {@link #add} adds the fragment
+ * whose pose has the best score in view of all that are in place, and {@link FaceFit} lays it on
+ * all of them. Nothing is moved, and fragments may overlap at the proposed poses. One thread an
+ * instance, never the haptic one.
  */
 public final class Reassembly {
+  /** A proposal is uncertain if the score of another place is more than this part of its own. */
+  private static final double MOST_NEXT = 0.5;
+
   private final GlobalFit fits;
   private final List<Pose> present;
   private final List<Pose> proposed = new ArrayList<>();
   private final boolean[] inPlace;
+  private final int mostPairs;
+  private int comparedPairs;
+  private Progress progress = (done, total) -> {};
 
   /** The proposal for each pair of fragments, made when it is needed first; null before. */
   private final List<List<Optional<GlobalFit.Proposal>>> found = new ArrayList<>();
@@ -30,9 +38,28 @@ public final class Reassembly {
    * @param fragment the index of the fragment
    * @param other the index of the fragment that it fits to
    * @param scoreMm2 the area that speaks for the pose less the area against it, mm^2
-   * @param nextScoreMm2 the score of the next best pose of the two, mm^2; 0 without one
+   * @param nextScoreMm2 the best score of the fragment at another place, mm^2; 0 without one
    */
-  public record Joint(int fragment, int other, double scoreMm2, double nextScoreMm2) {}
+  public record Joint(int fragment, int other, double scoreMm2, double nextScoreMm2) {
+    /** {@return whether another place has more than half of the score} */
+    public boolean isUncertain() {
+      return nextScoreMm2 > MOST_NEXT * scoreMm2;
+    }
+  }
+
+  /** Receives how far the comparison of pairs of fragments is. */
+  public interface Progress {
+    /**
+     * Receives numbers of pairs.
+     *
+     * @param done the pairs that were compared
+     * @param total the most pairs that are compared until all fragments are added
+     */
+    void compared(int done, int total);
+  }
+
+  /** A fragment at the pose that it was proposed beside one that is in place. */
+  private record Offer(int fragment, int other, Pose pose, double scoreMm2, double nextScoreMm2) {}
 
   /**
    * Prepares proposals.
@@ -66,6 +93,17 @@ public final class Reassembly {
     if (!any && inPlace.length > 0) {
       inPlace[0] = true;
     }
+    int fixed = inPlace.length - left().size();
+    mostPairs = (inPlace.length * (inPlace.length - 1) - fixed * (fixed - 1)) / 2;
+  }
+
+  /**
+   * Chooses who hears of the progress.
+   *
+   * @param receiver receives the progress after each pair that is compared
+   */
+  public void onProgress(Progress receiver) {
+    progress = receiver;
   }
 
   /**
@@ -83,19 +121,46 @@ public final class Reassembly {
    * @return the fragment that was added; empty if no other one fits to one in place
    */
   public Optional<Joint> add() {
-    Joint best = null;
+    List<Offer> offers = new ArrayList<>();
     for (int n = 0; n < inPlace.length; n++) {
       for (int m = 0; m < inPlace.length && !inPlace[n]; m++) {
-        Optional<GlobalFit.Proposal> fit = inPlace[m] ? fit(n, m) : Optional.empty();
-        if (fit.isPresent() && (best == null || fit.get().scoreMm2() > best.scoreMm2)) {
-          best = new Joint(n, m, fit.get().scoreMm2(), fit.get().nextScoreMm2());
+        if (inPlace[m] && fit(n, m).isPresent()) {
+          offers.add(offer(n, m));
         }
       }
     }
-    if (best != null) {
-      place(best.fragment, best.other);
+    Optional<Offer> best =
+        offers.stream()
+            .filter(each -> each.scoreMm2 > 0)
+            .max(Comparator.comparingDouble(each -> each.scoreMm2));
+    best.ifPresent(each -> place(each.fragment, each.pose));
+    return best.map(each -> joint(each, offers));
+  }
+
+  /** Returns what is proposed for a fragment beside another, in view of all that are in place. */
+  private Offer offer(int fragment, int other) {
+    GlobalFit.Proposal fit = fit(fragment, other).orElseThrow();
+    Pose pose = present.get(other).inverseMultiply(fit.pose(), new Pose());
+    proposed.get(other).multiply(pose, pose).rotation.normalize();
+    double scoreMm2 = fit.scoreMm2();
+    for (int n = 0; n < inPlace.length; n++) {
+      if (inPlace[n] && n != other) {
+        Pose relative = proposed.get(n).inverseMultiply(pose, new Pose());
+        scoreMm2 += fits.score(fragment, n, relative);
+      }
     }
-    return Optional.ofNullable(best);
+    return new Offer(fragment, other, pose, scoreMm2, fit.nextScoreMm2());
+  }
+
+  /** Returns an offer with the best score of its fragment at another place. */
+  private Joint joint(Offer best, List<Offer> offers) {
+    double next = best.nextScoreMm2;
+    for (Offer each : offers) {
+      if (each.fragment == best.fragment && fits.isElsewhere(each.fragment, each.pose, best.pose)) {
+        next = Math.max(next, each.scoreMm2);
+      }
+    }
+    return new Joint(best.fragment, best.other, best.scoreMm2, next);
   }
 
   /**
@@ -110,15 +175,17 @@ public final class Reassembly {
     List<Optional<GlobalFit.Proposal>> row = found.get(fragment);
     if (row.get(other) == null) {
       row.set(other, fits.propose(fragment, other, present));
+      progress.compared(++comparedPairs, mostPairs);
     }
     return row.get(other);
   }
 
-  /** Gives a fragment the pose that it was proposed relative to another. */
-  private void place(int fragment, int other) {
-    Pose fitted = fit(fragment, other).orElseThrow().pose();
-    Pose relative = present.get(other).inverseMultiply(fitted, new Pose());
-    proposed.get(other).multiply(relative, proposed.get(fragment));
+  /** Lays a fragment on all that are in place. */
+  private void place(int fragment, Pose pose) {
+    proposed.get(fragment).set(pose);
+    List<Integer> others =
+        IntStream.range(0, inPlace.length).filter(n -> inPlace[n]).boxed().toList();
+    proposed.get(fragment).set(fits.settled(fragment, others, proposed));
     proposed.get(fragment).rotation.normalize();
     inPlace[fragment] = true;
   }

@@ -43,18 +43,19 @@ final class RimPairs {
      *
      * @param one the index of its first rim point
      * @param other the index of its second rim point
+     * @return whether it wants another one
      */
-    void take(int one, int other);
+    boolean take(int one, int other);
   }
 
   /**
-   * Orders all pairs of rim points.
+   * Orders all pairs of some rim points.
    *
+   * @param size the number of points, the first ones
    * @param edgeMm the edge of a voxel, mm
    */
-  RimPairs(RimPoints rim, double edgeMm) {
+  RimPairs(RimPoints rim, int size, double edgeMm) {
     this.edgeMm = edgeMm;
-    int size = rim.size();
     int[] bins = new int[size * size];
     for (int n = 0; n < bins.length; n++) {
       boolean isPair = describe(rim.frame(n / size), rim.frame(n % size), 1);
@@ -82,11 +83,15 @@ final class RimPairs {
    * @param sink receives the pairs that are found; none if the two points are too near or far
    */
   void findFitting(RimPoints.Frame one, RimPoints.Frame two, Sink sink) {
-    if (describe(one, two, -1)) {
-      for (int corner = 0; corner < 1 << FEATURES; corner++) {
-        int bin = bin(corner);
-        for (int n = bin < 0 ? 0 : begin[bin]; bin >= 0 && n < begin[bin + 1]; n++) {
-          sink.take(first[n], second[n]);
+    if (!describe(one, two, -1)) {
+      return;
+    }
+    for (int corner = 0; corner < 1 << FEATURES; corner++) {
+      int bin = bin(corner);
+      int end = bin < 0 ? 0 : begin[bin + 1];
+      for (int n = bin < 0 ? 0 : begin[bin]; n < end; n++) {
+        if (!sink.take(first[n], second[n])) {
+          return;
         }
       }
     }

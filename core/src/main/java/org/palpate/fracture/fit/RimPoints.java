@@ -22,11 +22,18 @@ final class RimPoints {
   /** The number of points that are kept. */
   private static final int MOST = 600;
 
+  /** The least rating of a point that is kept. */
+  private static final double LEAST_RATING = -0.15;
+
+  /** The least rating of a point on a sharp rim. */
+  private static final double SHARP_RATING = 0;
+
   /** The least cosine between the normal of a point and the outward direction. */
   private static final double LEAST_OUTWARD = 0.3;
 
   private final FragmentSurface surface;
-  private final List<Frame> frames;
+  private final List<Rated> rated;
+  private final int sharp;
 
   /**
    * A point and its frame.
@@ -48,24 +55,29 @@ final class RimPoints {
    */
   RimPoints(FragmentSurface surface, PointGrid grid, double edgeMm) {
     this.surface = surface;
-    frames =
+    rated =
         IntStream.range(0, surface.points().size())
             .mapToObj(n -> rate(n, grid.around(surface.points().get(n), BALL_EDGES * edgeMm)))
-            .filter(each -> each.rating > 0)
+            .filter(each -> each.rating > LEAST_RATING)
             .sorted(Comparator.comparingDouble(each -> -each.rating))
             .limit(MOST)
-            .map(Rated::frame)
             .toList();
+    sharp = (int) rated.stream().filter(each -> each.rating > SHARP_RATING).count();
   }
 
-  /** Returns the number of points. */
+  /** Returns the number of points, of which those most like a rim come first. */
   int size() {
-    return frames.size();
+    return rated.size();
+  }
+
+  /** Returns the number of points on sharp rims, which are the first ones. */
+  int sharp() {
+    return sharp;
   }
 
   /** Returns a point with its frame. */
   Frame frame(int n) {
-    return frames.get(n);
+    return rated.get(n).frame;
   }
 
   private Rated rate(int n, int[] ball) {
@@ -95,7 +107,7 @@ final class RimPoints {
     double across = Math.abs(mean.dot(vector(eigen, order[2])));
     boolean isOut = surface.normals().get(n).dot(outward) > LEAST_OUTWARD;
     Frame frame = new Frame(surface.points().get(n), vector(eigen, order[0]), outward);
-    return new Rated(frame, isOut ? along - across - eigen.value(order[0]) : 0);
+    return new Rated(frame, isOut ? along - across - eigen.value(order[0]) : -1);
   }
 
   private static Vec3 vector(SymmetricEigen eigen, int n) {

@@ -1,8 +1,10 @@
 package org.palpate.fracture.fit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -39,8 +41,11 @@ class GlobalFitTest {
     Reassembly reassembly =
         new Reassembly(
             Collections.nCopies(3, FRAGMENTS.grid()), FRAGMENTS.bits(), 0, SCATTERED, n -> n == 0);
-    assertTrue(reassembly.add().isPresent());
-    assertTrue(reassembly.add().isPresent());
+    List<String> progress = new ArrayList<>();
+    reassembly.onProgress((done, total) -> progress.add(done + " of " + total));
+    assertFalse(reassembly.add().orElseThrow().isUncertain());
+    assertFalse(reassembly.add().orElseThrow().isUncertain());
+    assertEquals(List.of("1 of 3", "2 of 3", "3 of 3"), progress);
     assertEquals(Optional.empty(), reassembly.add());
     List<Pose> poses = reassembly.poses();
     assertTrue(poses.get(0).sameBits(SCATTERED.get(0)), "what is fixed stays");
@@ -50,6 +55,12 @@ class GlobalFitTest {
       assertEquals(0, left.distanceMm(), 0.2, "fragment " + n);
       assertEquals(0, left.angleDegrees(), 0.5, "fragment " + n);
     }
+  }
+
+  @Test
+  void aProposalIsUncertainIfAnotherPlaceHasMoreThanHalfOfItsScore() {
+    assertFalse(new Reassembly.Joint(1, 0, 100, 50).isUncertain());
+    assertTrue(new Reassembly.Joint(1, 0, 100, 51).isUncertain());
   }
 
   @Test

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.process.PalpateException;
+import org.palpate.app.process.ProgressLine;
 import org.palpate.body.Mobility;
 import org.palpate.fracture.fit.FaceFit;
 import org.palpate.fracture.fit.Reassembly;
@@ -67,18 +68,15 @@ final class ReassemblyOption {
             gapMm,
             bodies.poses(),
             n -> bodies.placements().get(n).mobility() != Mobility.MOVABLE);
+    ProgressLine bar = new ProgressLine("fitting");
+    reassembly.onProgress(bar::slicesRead);
     Optional<Reassembly.Joint> joint = reassembly.add();
     while (joint.isPresent()) {
-      line.accept(
-          String.format(
-              Locale.ROOT,
-              "%s to %s: score %.0f mm^2, the next best %.0f",
-              segments.get(joint.get().fragment()).name(),
-              segments.get(joint.get().other()).name(),
-              joint.get().scoreMm2(),
-              joint.get().nextScoreMm2()));
+      bar.clear();
+      line.accept(text(joint.get(), segments));
       joint = reassembly.add();
     }
+    bar.clear();
     for (int left : reassembly.left()) {
       line.accept(
           segments.get(left).name()
@@ -86,5 +84,16 @@ final class ReassemblyOption {
               + " it stays where it is");
     }
     return bodies.at(reassembly.poses());
+  }
+
+  private static String text(Reassembly.Joint joint, List<Segment> segments) {
+    return String.format(
+        Locale.ROOT,
+        "%s to %s: score %.0f mm^2, %.0f at the best other place%s",
+        segments.get(joint.fragment()).name(),
+        segments.get(joint.other()).name(),
+        joint.scoreMm2(),
+        joint.nextScoreMm2(),
+        joint.isUncertain() ? "; uncertain, check it by eye" : "");
   }
 }

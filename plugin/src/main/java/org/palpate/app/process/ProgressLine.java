@@ -28,10 +28,20 @@ public final class ProgressLine implements ReadProgress {
     }
     int length = (int) ((long) WIDTH * done / total);
     if (done == total) {
-      System.err.print("\r" + " ".repeat(what.length() + WIDTH + 4) + "\r");
-    } else if (length != drawn) {
+      clear();
+      return;
+    }
+    if (length != drawn) {
       System.err.print("\r" + what + " [" + "#".repeat(length) + ".".repeat(WIDTH - length) + "]");
     }
     drawn = length;
+  }
+
+  /** Removes the bar, so that a line can be printed; the next progress draws it again. */
+  public void clear() {
+    if (shown && drawn >= 0) {
+      System.err.print("\r" + " ".repeat(what.length() + WIDTH + 4) + "\r");
+      drawn = -1;
+    }
   }
 }

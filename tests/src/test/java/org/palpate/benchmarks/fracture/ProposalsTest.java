@@ -8,7 +8,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -32,10 +31,16 @@ import org.palpate.volume.fracture.PosedBits;
 class ProposalsTest {
   private static final String SEEDS = "palpate.proposals";
   private static final int PARTS = 4;
+  private static final double LEAST_SHARE = 0.85;
 
-  @Test
-  void anArchWithThinWallsIsPutTogether() throws IOException {
-    assertEquals(PARTS - 1, assemble("arch", 1));
+  /** A fragment farther from its place was proposed at a wrong one. */
+  private static final double WRONG_MM = 3;
+
+  /** A search that took sharp rims alone proposed two wrong places for seed 5. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 5})
+  void anArchWithThinWallsIsPutTogether(int seed) throws IOException {
+    assertEquals(PARTS - 1, assemble("arch", seed));
   }
 
   @ParameterizedTest
@@ -50,7 +55,7 @@ class ProposalsTest {
       all += PARTS - 1;
     }
     System.out.println(bone + ": " + inPlace + " of " + all + " in place");
-    assertTrue(2 * inPlace > all, bone);
+    assertTrue(inPlace >= LEAST_SHARE * all, bone);
   }
 
   /** Puts a fracture together, and returns the number of fragments in place. */
@@ -73,16 +78,20 @@ class ProposalsTest {
     List<Pose> poses = reassembly.poses();
     Residual left =
         residual(fragments, joint.fragment(), poses.get(joint.fragment()), poses.get(0));
+    assertTrue(
+        left.distanceMm() < WRONG_MM || joint.isUncertain(),
+        bone + " seed " + seed + ": " + joint + " is wrong and looks certain");
     System.out.println(
         String.format(
             Locale.ROOT,
-            "%s seed %d: %d to %d, score %.0f, next %.0f: %.2f mm, %.2f degrees",
+            "%s seed %d: %d to %d, score %.0f, other place %.0f%s: %.2f mm, %.2f degrees",
             bone,
             seed,
             joint.fragment(),
             joint.other(),
             joint.scoreMm2(),
             joint.nextScoreMm2(),
+            joint.isUncertain() ? ", uncertain" : "",
             left.distanceMm(),
             left.angleDegrees()));
   }
