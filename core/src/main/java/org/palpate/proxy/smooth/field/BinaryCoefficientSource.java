@@ -39,14 +39,14 @@ final class BinaryCoefficientSource implements CoefficientSource {
   /** The three packed sums along x of every row of 12 voxels. */
   private final long[] sumsOfRow = new long[1 << BinaryWindow.EDGE];
 
-  /** The second sums over the rows of a layer. */
-  private final long[] rowsTwice = new long[SUMS];
+  /** The second sums of the values that are weighed. */
+  private final long[] twice = new long[SUMS];
 
   /** The sum that a layer of solid voxels adds to each coefficient. */
   private final long wholeLayer;
 
-  /** The second sums over the layers, for each of three coefficients along y. */
-  private final long[][] layersTwice = new long[3][SUMS];
+  /** For each of three coefficients along y, the packed sums of each layer. */
+  private final long[] layers = new long[3 * BinaryWindow.EDGE];
 
   private final AxisTaps alongY;
   private final AxisTaps alongZ;
@@ -69,8 +69,8 @@ final class BinaryCoefficientSource implements CoefficientSource {
     for (int row = 0; row <= ROW_MASK; row++) {
       sumsOfRow[row] = unit * sumsOf(row);
     }
-    sumLayer(BinaryWindow.ROW_MASK, BinaryWindow.ROW_MASK, BinaryWindow.ROW_MASK);
-    wholeLayer = alongY.weigh(rowsTwice, 0);
+    weighByAnyBoxes(0, BinaryWindow.ROW_MASK, BinaryWindow.ROW_MASK, BinaryWindow.ROW_MASK, false);
+    wholeLayer = layers[0];
   }
 
   /** Returns for each cell of a row its taps for the three sums along x, packed. */
@@ -116,84 +116,112 @@ final class BinaryCoefficientSource implements CoefficientSource {
     return window.holdsForEverySeed();
   }
 
-  /**
-   * Weighs the window by second sums. The convolution of boxes of w and m voxels is the second
-   * difference, w and m voxels apart, of what was summed up twice. So each row is added twice, and
-   * no tap multiplies.
-   */
+  /** Weighs the window along y, layer by layer, and then along z. */
   private void weigh(double[] coefficients) {
     long[] reached = window.reachedWords();
-    long once0 = 0;
-    long once1 = 0;
-    long once2 = 0;
     for (int z = 0; z < BinaryWindow.EDGE; z++) {
       long a = reached[BinaryWindow.WORDS * z];
       long b = reached[BinaryWindow.WORDS * z + 1];
       long c = reached[BinaryWindow.WORDS * z + 2];
-      if (corrections.anyInLayer(z)) {
-        sumCorrectedLayer(z, ~a, ~b, ~c);
-        once0 += alongY.weigh(rowsTwice, 0);
-        once1 += alongY.weigh(rowsTwice, 1);
-        once2 += alongY.weigh(rowsTwice, 2);
-      } else if ((a | b | c) == 0) {
-        once0 += wholeLayer;
-        once1 += wholeLayer;
-        once2 += wholeLayer;
-      } else if ((a & b & c) != BinaryWindow.ROW_MASK) {
-        sumLayer(~a, ~b, ~c);
-        once0 += alongY.weigh(rowsTwice, 0);
-        once1 += alongY.weigh(rowsTwice, 1);
-        once2 += alongY.weigh(rowsTwice, 2);
+      boolean corrected = corrections.anyInLayer(z);
+      if (!corrected && (a | b | c) == 0) {
+        setLayer(z, wholeLayer);
+      } else if (!corrected && (a & b & c) == BinaryWindow.ROW_MASK) {
+        setLayer(z, 0);
+      } else if (alongY.areWidest()) {
+        weighByWidestBoxes(z, ~a, ~b, ~c, corrected);
+      } else {
+        weighByAnyBoxes(z, ~a, ~b, ~c, corrected);
       }
-      layersTwice[0][z + 2] = layersTwice[0][z + 1] + once0;
-      layersTwice[1][z + 2] = layersTwice[1][z + 1] + once1;
-      layersTwice[2][z + 2] = layersTwice[2][z + 1] + once2;
     }
-    for (int z = 0; z < 3; z++) {
-      for (int y = 0; y < 3; y++) {
-        unpack(alongZ.weigh(layersTwice[y], z), 9 * z + 3 * y, coefficients);
+    for (int y = 0; y < 3; y++) {
+      int from = BinaryWindow.EDGE * y;
+      long once = 0;
+      long all = 0;
+      for (int z = 0; z < BinaryWindow.EDGE; z++) {
+        once += layers[from + z];
+        all += once;
+        twice[z + 2] = all;
+      }
+      for (int z = 0; z < 3; z++) {
+        unpack(alongZ.weigh(twice, z), 9 * z + 3 * y, coefficients);
       }
     }
   }
 
-  /** Sums up the rows of a layer twice; the three words hold its solid voxels. */
-  private void sumLayer(long a, long b, long c) {
-    long[] twice = rowsTwice;
-    long once = sumsOfRow[(int) a & ROW_MASK];
-    long all = once;
-    twice[2] = all;
-    twice[3] = all += once += sumsOfRow[(int) (a >>> 16) & ROW_MASK];
-    twice[4] = all += once += sumsOfRow[(int) (a >>> 32) & ROW_MASK];
-    twice[5] = all += once += sumsOfRow[(int) (a >>> 48) & ROW_MASK];
-    twice[6] = all += once += sumsOfRow[(int) b & ROW_MASK];
-    twice[7] = all += once += sumsOfRow[(int) (b >>> 16) & ROW_MASK];
-    twice[8] = all += once += sumsOfRow[(int) (b >>> 32) & ROW_MASK];
-    twice[9] = all += once += sumsOfRow[(int) (b >>> 48) & ROW_MASK];
-    twice[10] = all += once += sumsOfRow[(int) c & ROW_MASK];
-    twice[11] = all += once += sumsOfRow[(int) (c >>> 16) & ROW_MASK];
-    twice[12] = all += once += sumsOfRow[(int) (c >>> 32) & ROW_MASK];
-    twice[13] = all + once + sumsOfRow[(int) (c >>> 48) & ROW_MASK];
+  private void setLayer(int z, long sum) {
+    layers[z] = sum;
+    layers[z + BinaryWindow.EDGE] = sum;
+    layers[z + 2 * BinaryWindow.EDGE] = sum;
   }
 
-  /** Sums up the rows of a layer of which some cells are corrected. */
-  private void sumCorrectedLayer(int z, long a, long b, long c) {
-    long[] twice = rowsTwice;
-    long[] more = corrections.ofRows();
-    int at = BinaryWindow.EDGE * z;
-    long once = sumsOfRow[(int) a & ROW_MASK] + more[at];
-    long all = once;
-    twice[2] = all;
-    twice[3] = all += once += sumsOfRow[(int) (a >>> 16) & ROW_MASK] + more[at + 1];
-    twice[4] = all += once += sumsOfRow[(int) (a >>> 32) & ROW_MASK] + more[at + 2];
-    twice[5] = all += once += sumsOfRow[(int) (a >>> 48) & ROW_MASK] + more[at + 3];
-    twice[6] = all += once += sumsOfRow[(int) b & ROW_MASK] + more[at + 4];
-    twice[7] = all += once += sumsOfRow[(int) (b >>> 16) & ROW_MASK] + more[at + 5];
-    twice[8] = all += once += sumsOfRow[(int) (b >>> 32) & ROW_MASK] + more[at + 6];
-    twice[9] = all += once += sumsOfRow[(int) (b >>> 48) & ROW_MASK] + more[at + 7];
-    twice[10] = all += once += sumsOfRow[(int) c & ROW_MASK] + more[at + 8];
-    twice[11] = all += once += sumsOfRow[(int) (c >>> 16) & ROW_MASK] + more[at + 9];
-    twice[12] = all += once += sumsOfRow[(int) (c >>> 32) & ROW_MASK] + more[at + 10];
-    twice[13] = all + once + sumsOfRow[(int) (c >>> 48) & ROW_MASK] + more[at + 11];
+  /** Weighs the rows of a layer along y; the three words hold its solid voxels. */
+  private void weighByAnyBoxes(int z, long a, long b, long c, boolean corrected) {
+    long once = 0;
+    long all = 0;
+    for (int y = 0; y < BinaryWindow.EDGE; y++) {
+      long word = y < 4 ? a : y < 8 ? b : c;
+      once += sumsOfRow[(int) (word >>> ((y & 3) << 4)) & ROW_MASK];
+      if (corrected) {
+        once += corrections.ofRows()[BinaryWindow.EDGE * z + y];
+      }
+      all += once;
+      twice[y + 2] = all;
+    }
+    for (int y = 0; y < 3; y++) {
+      layers[BinaryWindow.EDGE * y + z] = alongY.weigh(twice, y);
+    }
+  }
+
+  /**
+   * Does the same for boxes of six and five voxels, whose taps are 1, 2, 3, 4, 5, 5, 4, 3, 2 and 1.
+   * All rows are in local variables, which takes half the time. From one coefficient to the next
+   * every tap changes by one at most, so the sums of five rows on either side are the difference.
+   */
+  private void weighByWidestBoxes(int z, long a, long b, long c, boolean corrected) {
+    long[] sums = sumsOfRow;
+    int mask = sums.length - 1; // as the array's length gives it, so that no index is checked
+    long row0 = sums[(int) a & mask];
+    long row1 = sums[(int) (a >>> 16) & mask];
+    long row2 = sums[(int) (a >>> 32) & mask];
+    long row3 = sums[(int) (a >>> 48) & mask];
+    long row4 = sums[(int) b & mask];
+    long row5 = sums[(int) (b >>> 16) & mask];
+    long row6 = sums[(int) (b >>> 32) & mask];
+    long row7 = sums[(int) (b >>> 48) & mask];
+    long row8 = sums[(int) c & mask];
+    long row9 = sums[(int) (c >>> 16) & mask];
+    long row10 = sums[(int) (c >>> 32) & mask];
+    long row11 = sums[(int) (c >>> 48) & mask];
+    if (corrected) {
+      long[] more = corrections.ofRows();
+      int at = BinaryWindow.EDGE * z;
+      row0 += more[at];
+      row1 += more[at + 1];
+      row2 += more[at + 2];
+      row3 += more[at + 3];
+      row4 += more[at + 4];
+      row5 += more[at + 5];
+      row6 += more[at + 6];
+      row7 += more[at + 7];
+      row8 += more[at + 8];
+      row9 += more[at + 9];
+      row10 += more[at + 10];
+      row11 += more[at + 11];
+    }
+    long once = row4 + row5;
+    long sum = once;
+    sum += once += row3 + row6;
+    sum += once += row2 + row7;
+    sum += once += row1 + row8;
+    sum += once + row0 + row9;
+    long low = row1 + row2 + row3 + row4;
+    long high = row7 + row8 + row9 + row10;
+    layers[z] = sum;
+    sum += row6 + high - (row0 + low);
+    layers[BinaryWindow.EDGE + z] = sum;
+    sum += high + row11 - (low + row5);
+    layers[2 * BinaryWindow.EDGE + z] = sum;
   }
 
   private void unpack(long sums, int at, double[] coefficients) {
@@ -203,8 +231,15 @@ final class BinaryCoefficientSource implements CoefficientSource {
     coefficients[at + 2] = ((biased >>> (2 * SUM_BITS)) - SUM_BIAS) * scale;
   }
 
-  /** Weighs twelve values by the taps of an axis, given their second sums. */
+  /**
+   * Weighs twelve values by the taps of an axis, given their second sums. The convolution of boxes
+   * of w and m voxels is the second difference, w and m voxels apart, of what was summed up twice.
+   * So no tap multiplies.
+   */
   private static final class AxisTaps {
+    /** The width of the narrower one of the widest two boxes. */
+    private static final int WIDEST = 5;
+
     private final int low;
     private final int first;
     private final int second;
@@ -215,6 +250,11 @@ final class BinaryCoefficientSource implements CoefficientSource {
       first = low + kernel.narrowBox(axis);
       second = low + kernel.wideBox(axis);
       high = first + kernel.wideBox(axis);
+    }
+
+    /** Whether the boxes are six and five voxels wide. */
+    boolean areWidest() {
+      return first - low == WIDEST;
     }
 
     /**
