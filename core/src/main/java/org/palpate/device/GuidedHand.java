@@ -79,7 +79,7 @@ public final class GuidedHand implements HapticDevice {
 
   private boolean isLeaving;
 
-  /** The number of tries that missed their goal since the hand last held nothing. */
+  /** The number of tries that missed their goal on the present way. */
   private int misses;
 
   /** The stop to which the hand goes back after a try that missed; none if it does not go back. */
@@ -190,7 +190,7 @@ public final class GuidedHand implements HapticDevice {
     boolean isLast = misses + 1 >= aim.tries();
     backTo = stop - (isLast ? aim.back() : 1 + misses % aim.back());
     afterBack = isLast ? stop + aim.otherwise() : backTo + stops.get(backTo).next();
-    misses++;
+    misses = isLast ? 0 : misses + 1;
     stops.get(stop).pose().inverseMultiply(arrived, correctionOfGrip);
   }
 

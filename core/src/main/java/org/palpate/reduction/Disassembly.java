@@ -1,44 +1,50 @@
 package org.palpate.reduction;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
-import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.reduction.PullSearch.Pulled;
 import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.RigidScene;
 import org.palpate.rigid.tool.RigidTool;
-import org.palpate.volume.BitCube;
 
 /**
  * Takes the fragments of a bone out of their places, one after the other. The reverse is an order,
  * and ways, in which they can be put back.
  *
- * <p>A fragment that came out lies where the fracture left it, because a hand that puts it back
- * last has not moved it before. If it would lie in the place of one that is still to come out, it
- * is taken out after that one, or is taken far away if that cannot be.
+ * <p>A fragment that came out is taken far away, because a hand can clear it out of the way before
+ * it puts the others back. So taking one out never hinders the others, and it does not matter which
+ * of several comes first. Those that the fracture left in the place of another come last, so that
+ * the hand has less to clear.
  *
- * <p>The first fragment that comes out is taken out, and no other order is tried. So a fragment may
- * be hindered by one that now lies where the fracture left it. If none comes out, the one that came
- * least far is given up and taken away.
+ * <p>A fragment comes out if a hand that trembles has led it home again each time that it tried.
+ * Only if there is none, one comes out that arrived less often, or by random pulls. If none comes
+ * out at all, the one that came least far is given up and taken away.
  */
 public final class Disassembly {
   /** The most sample points of a fragment at which the start of a pull is sought. */
   private static final int MOST_POINTS = 1000;
 
-  /** A fragment lies in the place of another if it is that near along an axis, voxels. */
-  private static final int NEAR_VOXELS = 1;
+  /** The most ways of a fragment that are rehearsed. */
+  private static final int MOST_WAYS = 4;
+
+  /** The most frames of all rehearsals. */
+  private static final long MOST_FRAMES = 400_000;
 
   private static final long SEED = 1;
-  private static final Pulled NOT_OUT = new Pulled(List.of(), 0);
+  private static final Pulled NOT_OUT = new Pulled(List.of(), 0, Double.POSITIVE_INFINITY);
 
   private final PullSearch search;
+  private final Rehearsal rehearsal;
   private final BodyScene bodies;
-  private final List<RigidTool> shapes;
+  private final List<RigidTool> shapes = new ArrayList<>();
+  private final FragmentPlaces places;
   private final List<Pose> starts;
   private final double reachMm;
   private final List<Exit> exits = new ArrayList<>();
@@ -49,27 +55,40 @@ public final class Disassembly {
    *
    * @param fragment its index
    * @param pulled its way out; without one it was given up
+   * @param others more ways out, in other directions
    * @param among the fragments that were in their places then, besides those that stand still
    */
-  public record Exit(int fragment, Pulled pulled, List<Integer> among) {
-    /** Copies the list. */
+  public record Exit(int fragment, Pulled pulled, List<Pulled> others, List<Integer> among) {
+    /** Copies the lists. */
     public Exit {
+      others = List.copyOf(others);
       among = List.copyOf(among);
     }
   }
 
+  /**
+   * The ways out of a fragment.
+   *
+   * @param ways that on which it arrived most often first
+   * @param arrivals the share of rehearsals in which it arrived there
+   */
+  private record Rehearsed(int fragment, List<Pulled> ways, double arrivals) {}
+
   private Disassembly(
-      PullSearch search, List<RigidTool> shapes, List<Pose> starts, double reachMm) {
+      PullSearch search, Rehearsal rehearsal, MovableShapes points, List<Pose> starts, double mm) {
     this.search = search;
-    this.shapes = shapes;
+    this.rehearsal = rehearsal;
     this.starts = starts;
-    this.reachMm = reachMm;
+    reachMm = mm;
     bodies = search.bodies();
     for (int n = 0; n < bodies.count(); n++) {
-      if (bodies.body(n).mobility() == Mobility.MOVABLE) {
+      boolean moves = bodies.body(n).mobility() == Mobility.MOVABLE;
+      shapes.add(moves ? points.shapes().get(n).thinned(MOST_POINTS) : null);
+      if (moves) {
         left.add(n);
       }
     }
+    places = new FragmentPlaces(bodies, shapes);
   }
 
   /**
@@ -78,7 +97,7 @@ public final class Disassembly {
    *
    * @param scene the bodies where the fracture left them; not moved
    * @param truth the place of each body that can move, rest to present
-   * @param shapes the sample points of the bodies
+   * @param shapes the sample points of the bodies, and the clearance that they keep
    * @param reachMm the distance from its place at which a fragment is out
    */
   public static List<Exit> of(
@@ -93,13 +112,17 @@ public final class Disassembly {
       copies.add(copy);
       starts.add(new Pose().set(body.pose()));
     }
+    BodyScene inPlace = new BodyScene(copies);
+    MovableShapes points = MovableShapes.ofPoints(inPlace);
     PullSearch search;
+    Rehearsal rehearsal;
     try {
-      search = new PullSearch(new BodyScene(copies), shapes);
+      search = new PullSearch(inPlace, points);
+      rehearsal = new Rehearsal(inPlace, shapes, MOST_FRAMES);
     } catch (RigidScene.BodiesOverlapException e) {
       return none(scene);
     }
-    Disassembly disassembly = new Disassembly(search, shapes.shapes(), starts, reachMm);
+    Disassembly disassembly = new Disassembly(search, rehearsal, points, starts, reachMm);
     disassembly.run();
     return disassembly.exits;
   }
@@ -108,7 +131,7 @@ public final class Disassembly {
     List<Exit> none = new ArrayList<>();
     for (int n = 0; n < scene.count(); n++) {
       if (scene.body(n).mobility() == Mobility.MOVABLE) {
-        none.add(new Exit(n, NOT_OUT, List.of()));
+        none.add(new Exit(n, NOT_OUT, List.of(), List.of()));
       }
     }
     return none;
@@ -116,121 +139,105 @@ public final class Disassembly {
 
   private void run() {
     while (!left.isEmpty()) {
-      if (!takeOutStraight() && !takeOutOneInTheWay()) {
-        takeOutAround();
+      int before = left.size();
+      Rehearsed best = takeOutThoseThatArrive();
+      if (left.size() == before) {
+        if (best.arrivals > 0) {
+          takeOut(best.fragment, best.ways);
+        } else {
+          takeOutAround(best);
+        }
       }
     }
   }
 
   /**
-   * Takes out each fragment that comes out by a straight pull, and will not lie in the place of
-   * another.
+   * Takes out each fragment that comes out by a straight pull, and always arrives when it is led
+   * home.
    *
-   * @return whether a fragment came out
+   * @return the best of the others
    */
-  private boolean takeOutStraight() {
-    int before = left.size();
-    for (int fragment : List.copyOf(left)) {
-      if (!liesInTheWay(fragment)) {
-        Pulled pulled = pullStraight(fragment);
-        if (pulled.isOut()) {
-          takeOut(fragment, pulled);
+  private Rehearsed takeOutThoseThatArrive() {
+    Rehearsed best = new Rehearsed(-1, List.of(), -1);
+    for (int fragment : inOrder()) {
+      List<Pulled> ways = pullStraight(fragment);
+      if (!ways.isEmpty()) {
+        Rehearsed rehearsed = rehearse(fragment, ways);
+        if (rehearsed.arrivals == 1) {
+          takeOut(fragment, rehearsed.ways);
+        } else if (rehearsed.arrivals > best.arrivals) {
+          best = rehearsed;
         }
       }
     }
-    return left.size() < before;
+    return best;
   }
 
-  /**
-   * Takes out the first fragment that comes out by a straight pull, of those that will lie in the
-   * place of another.
-   *
-   * @return whether a fragment came out
-   */
-  private boolean takeOutOneInTheWay() {
-    for (int fragment : left) {
-      if (liesInTheWay(fragment)) {
-        Pulled pulled = pullStraight(fragment);
-        if (pulled.isOut()) {
-          takeOut(fragment, pulled);
-          return true;
-        }
-      }
-    }
-    return false;
+  /** Returns those that are left. Those that would lie in the place of another come last. */
+  private List<Integer> inOrder() {
+    List<Integer> order = new ArrayList<>(left);
+    order.sort(Comparator.comparing(this::liesInTheWay));
+    return order;
   }
 
-  private Pulled pullStraight(int fragment) {
-    Vec3[] points = points(fragment, bodies.body(fragment).pose());
+  private List<Pulled> pullStraight(int fragment) {
+    Vec3[] points = ReductionPlan.points(shapes.get(fragment), bodies.body(fragment).pose());
     Vec3 first = new WayOut(bodies, fragment, points, reachMm).direction();
-    return search.straight(fragment, first, reachMm);
+    return search.straight(fragment, first, reachMm, MOST_WAYS);
   }
 
-  /** Takes out the first fragment that comes out by random pulls, or gives one up. */
-  private void takeOutAround() {
-    int fragment = left.get(0);
-    Pulled least = search.around(fragment, reachMm, SEED);
-    for (int n = 1; n < left.size() && !least.isOut(); n++) {
-      Pulled pulled = search.around(left.get(n), reachMm, SEED);
-      if (pulled.isOut() || pulled.farthestMm() < least.farthestMm()) {
-        fragment = left.get(n);
-        least = pulled;
+  /** Rehearses ways until a fragment always arrives on one. */
+  private Rehearsed rehearse(int fragment, List<Pulled> ways) {
+    double[] arrivals = new double[ways.size()];
+    int best = 0;
+    for (int n = 0; n < ways.size() && arrivals[best] < 1; n++) {
+      arrivals[n] = rehearsal.arrivals(fragment, ways.get(n).way());
+      best = arrivals[n] > arrivals[best] ? n : best;
+    }
+    List<Integer> order = new ArrayList<>(IntStream.range(0, ways.size()).boxed().toList());
+    order.sort(Comparator.comparingDouble(n -> -arrivals[n]));
+    return new Rehearsed(fragment, order.stream().map(ways::get).toList(), arrivals[best]);
+  }
+
+  /**
+   * Takes out the first fragment that comes out by random pulls and arrives when it is led home, or
+   * any that comes out, or gives one up.
+   *
+   * @param straight one that comes out by straight pulls and never arrived; it may have no ways
+   */
+  private void takeOutAround(Rehearsed straight) {
+    Rehearsed best = straight;
+    int nearest = left.get(0);
+    double nearestMm = Double.POSITIVE_INFINITY;
+    for (int n = 0; n < left.size() && best.arrivals <= 0; n++) {
+      int fragment = left.get(n);
+      Pulled pulled = search.around(fragment, reachMm, SEED);
+      double arrivals = pulled.isOut() ? rehearsal.arrivals(fragment, pulled.way()) : -1;
+      if (arrivals > best.arrivals) {
+        best = new Rehearsed(fragment, List.of(pulled), arrivals);
+      }
+      if (pulled.farthestMm() < nearestMm) {
+        nearest = fragment;
+        nearestMm = pulled.farthestMm();
       }
     }
-    takeOut(fragment, least);
+    if (best.ways.isEmpty()) {
+      takeOut(nearest, List.of(new Pulled(List.of(), nearestMm, Double.POSITIVE_INFINITY)));
+    } else {
+      takeOut(best.fragment, best.ways);
+    }
   }
 
-  private void takeOut(int fragment, Pulled pulled) {
-    exits.add(new Exit(fragment, pulled, left));
-    if (liesInTheWay(fragment) || !pulled.isOut()) {
-      search.remove(fragment);
-    } else {
-      search.put(fragment, starts.get(fragment));
-    }
+  private void takeOut(int fragment, List<Pulled> ways) {
+    exits.add(new Exit(fragment, ways.get(0), ways.subList(1, ways.size()), left));
+    search.remove(fragment);
     left.remove(Integer.valueOf(fragment));
   }
 
   /** Whether the fracture left a fragment in the place of another that is still there. */
   private boolean liesInTheWay(int fragment) {
-    Vec3[] points = points(fragment, starts.get(fragment));
-    for (int other : left) {
-      if (other != fragment) {
-        Pose place = bodies.body(other).pose();
-        if (meets(points, other, place)
-            || meets(points(other, place), fragment, starts.get(fragment))) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  private Vec3[] points(int fragment, Pose pose) {
-    return ReductionPlan.points(shapes.get(fragment).thinned(MOST_POINTS), pose);
-  }
-
-  private boolean meets(Vec3[] points, int other, Pose pose) {
-    Body body = bodies.body(other);
-    AffineMap toGrid = body.toolToGrid(pose, new Pose(), new AffineMap());
-    Vec3 at = new Vec3();
-    for (Vec3 point : points) {
-      if (isNear(body.bits(), toGrid.transform(point, at))) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /** Whether a solid voxel lies near a point along an axis of the grid. */
-  private static boolean isNear(BitCube bits, Vec3 grid) {
-    int i = (int) Math.floor(grid.x);
-    int j = (int) Math.floor(grid.y);
-    int k = (int) Math.floor(grid.z);
-    for (int n = -NEAR_VOXELS; n <= NEAR_VOXELS; n++) {
-      if (bits.get(i + n, j, k) || bits.get(i, j + n, k) || bits.get(i, j, k + n)) {
-        return true;
-      }
-    }
-    return false;
+    Pose start = starts.get(fragment);
+    return left.stream()
+        .anyMatch(n -> n != fragment && places.meet(fragment, start, n, bodies.body(n).pose()));
   }
 }

@@ -2,6 +2,7 @@ package org.palpate.reduction;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.palpate.body.BodyScene;
@@ -15,6 +16,7 @@ import org.palpate.rigid.RigidScene;
 import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
+import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
 
 /**
@@ -73,6 +75,12 @@ public final class PullSearch {
   /** A fragment is out at this part of the distance that was asked for. */
   private static final double OUT_PART = 0.9;
 
+  /** A way with a detour of at most this counts as straight, edges. */
+  private static final double STRAIGHT_EDGES = 0.5;
+
+  /** The cosine of the least angle between the directions of two ways. */
+  private static final double SAME_DIRECTION = 0.97;
+
   private static final double MAX_STEP_MM = 8;
 
   /** The place of the tool that holds nothing, and of fragments in nobody's way, mm. */
@@ -96,8 +104,10 @@ public final class PullSearch {
    * @param way the poses from its place to where it is out, both included; empty if it did not come
    *     out
    * @param farthestMm the largest distance of its reference point from its place
+   * @param detourMm the length by which the way is longer than the motion from its first pose to
+   *     its last, in the kinetic metric; infinite if it did not come out
    */
-  public record Pulled(List<Pose> way, double farthestMm) {
+  public record Pulled(List<Pose> way, double farthestMm, double detourMm) {
     /** {@return whether a way out was found} */
     public boolean isOut() {
       return !way.isEmpty();
@@ -105,7 +115,7 @@ public final class PullSearch {
   }
 
   /** A pose that was reached, after those on the way to it. The first is where it belongs. */
-  private record Reached(Pose body, Reached before, double farMm) {}
+  private record Reached(Pose body, Reached before, double farMm, double pathMm) {}
 
   /**
    * Creates a search.
@@ -155,21 +165,49 @@ public final class PullSearch {
   }
 
   /**
-   * Pulls a fragment straight along many directions, until one leads out.
+   * Pulls a fragment straight along many directions.
    *
    * @param fragment its index
    * @param first the direction that comes first, a unit vector
    * @param reachMm the distance from its place at which it is out
-   * @return how far it came; it is back in its place
+   * @param most the most ways; as many without a detour end the search
+   * @return the ways out in different directions, that with the least detour first; it is back in
+   *     its place
    */
-  public Pulled straight(int fragment, Vec3 first, double reachMm) {
+  public List<Pulled> straight(int fragment, Vec3 first, double reachMm, int most) {
     Reached start = begin(fragment);
-    Reached farthest = start;
-    for (int n = -1; n < WayOut.DIRECTIONS && !isOut(farthest, reachMm); n++) {
+    List<Pulled> ways = new ArrayList<>();
+    int straight = 0;
+    for (int n = -1; n < WayOut.DIRECTIONS && straight < most; n++) {
       Vec3 shift = (n < 0 ? first : WayOut.direction(n)).mul(reachMm, new Vec3());
-      farthest = farther(farthest, pull(fragment, start, shift, new Vec3()));
+      Pulled pulled = pulled(fragment, pull(fragment, start, shift, new Vec3()), reachMm);
+      if (pulled.isOut() && add(fragment, pulled, ways)) {
+        straight += isStraight(pulled) ? 1 : 0;
+      }
     }
-    return pulled(fragment, farthest, reachMm);
+    put(fragment, home);
+    ways.sort(Comparator.comparingDouble(Pulled::detourMm));
+    return List.copyOf(ways.subList(0, Math.min(most, ways.size())));
+  }
+
+  /** Adds a way if it leads elsewhere, or instead of one that leads there on a longer detour. */
+  private boolean add(int fragment, Pulled pulled, List<Pulled> ways) {
+    RigidTool shape = hands[fragment].shape();
+    Vec3 direction = Ways.direction(pulled.way(), shape);
+    for (int n = 0; n < ways.size(); n++) {
+      if (Ways.direction(ways.get(n).way(), shape).dot(direction) > SAME_DIRECTION) {
+        if (pulled.detourMm < ways.get(n).detourMm) {
+          ways.set(n, pulled);
+        }
+        return false;
+      }
+    }
+    return ways.add(pulled);
+  }
+
+  /** Whether a way leads out without a detour that matters. */
+  boolean isStraight(Pulled pulled) {
+    return pulled.detourMm <= STRAIGHT_EDGES * edgeMm;
   }
 
   /**
@@ -197,7 +235,7 @@ public final class PullSearch {
 
   private Reached begin(int fragment) {
     home.set(bodies.body(fragment).pose());
-    return new Reached(new Pose().set(home), null, 0);
+    return new Reached(new Pose().set(home), null, 0, 0);
   }
 
   private static Reached farther(Reached one, Reached other) {
@@ -215,7 +253,16 @@ public final class PullSearch {
       way.add(each.body);
     }
     Collections.reverse(way);
-    return new Pulled(way, farthest.farMm);
+    return new Pulled(way, farthest.farMm, detourMm(fragment, farthest, way));
+  }
+
+  private double detourMm(int fragment, Reached end, List<Pose> way) {
+    if (way.isEmpty()) {
+      return Double.POSITIVE_INFINITY;
+    }
+    Pose from = references[fragment].toReference(home, new Pose());
+    Pose to = references[fragment].toReference(end.body, new Pose());
+    return end.pathMm - hands[fragment].shape().metric().distance(from, to);
   }
 
   private Reached pullAtRandom(
@@ -319,7 +366,10 @@ public final class PullSearch {
     Reached last = from;
     for (int n = 1; n <= motion.steps(); n++) {
       Pose pose = references[fragment].toRest(motion.pathPose(n), new Pose());
-      last = new Reached(pose, last, fromHome(fragment, pose).length());
+      double stepMm =
+          hands[fragment].shape().metric().distance(motion.pathPose(n - 1), motion.pathPose(n));
+      double farMm = fromHome(fragment, pose).length();
+      last = new Reached(pose, last, farMm, last.pathMm + stepMm);
     }
     return last;
   }

@@ -1,7 +1,6 @@
 package org.palpate.reduction;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.palpate.body.Body;
@@ -19,10 +18,12 @@ import org.palpate.rigid.tool.ToolSampler;
  * Plans how a hand that knows the truth puts fragments back: it touches each one from outside,
  * presses a button to hold it, lifts it off, leads it to its place, and lets it go.
  *
- * <p>The order and the ways are those of a {@link Disassembly} in reverse. A fragment that did not
- * come out of its place is led there along the straight line on which it meets the least. When the
- * hand carries the plan out, it trembles, and only verified motions move a fragment, so it may stop
- * before its place. One thread; use bodies of your own, whose poses change.
+ * <p>The order and the ways are those of a {@link Disassembly} in reverse. Before the hand puts a
+ * fragment back, it clears those away that lie in its way and are not in place yet. If the fragment
+ * does not arrive on one way, the hand tries the next. A fragment that did not come out of its
+ * place is led there along the straight line on which it meets the least. When the hand carries the
+ * plan out, it trembles, and only verified motions move a fragment, so it may stop before its
+ * place. One thread; use bodies of your own, whose poses change.
  */
 public final class ReductionPlan {
   /** The most sample points of a fragment at which rough faces are compared. */
@@ -49,32 +50,36 @@ public final class ReductionPlan {
   /** The depth below a touched point that is solid, or the hand would slip off an edge. */
   private static final double DEEP_EDGES = 2;
 
+  /** The distance of lines beside one that has room for a tremor, shortest voxel edges. */
+  private static final double ROOM_EDGES = 0.7;
+
   private static final double PRESS_SECONDS = 0.4;
 
   /** The time in which the hand corrects its grip before faces meet. */
   private static final double LOOK_SECONDS = 1;
 
-  private static final double SETTLE_SECONDS = 0.8;
+  /** The number of times that the hand brings a fragment home on a way before it tries another. */
+  private static final int TRIES = 8;
 
-  /** The number of times that the hand brings a fragment home before it puts it aside. */
-  private static final int TRIES = 20;
+  /** The number of ways that it tries; if there are fewer, it tries them again. */
+  private static final int WAYS = 3;
 
   /** The distance of a fragment that was put aside, as a multiple of the radius of the ball. */
   private static final double ASIDE = 3;
 
+  /** The same for one that was cleared away. */
+  private static final double CLEARED = 0.8;
+
   /** The number of stops that put a fragment aside; a hand that succeeds leaves them out. */
   private static final int STOPS_ASIDE = 4;
 
-  /**
-   * The distances to which a fragment goes back for another try, shortest voxel edges. Faces that
-   * have met a voxel beside their place come free by a little; others need more room.
-   */
-  private static final double[] BACK_EDGES = {1, 1.5, 2, 3, 8};
+  /** The most sample points of a fragment that show whether another lies in its way. */
+  private static final int POINTS_IN_THE_WAY = 300;
 
-  /** The part of a distance that counts as all of it, because distances of poses are rounded. */
-  private static final double WHOLE = 1 - 1e-9;
+  /** The distance of the poses of a way at which that is tested, shortest voxel edges. */
+  private static final double PACE_EDGES = 2;
 
-  /** The distance of a path around the bodies, as a multiple of the radius of their ball. */
+  /** The distance of a path around the bodies, as a multiple of that of the farthest point. */
   private static final double AROUND = 1.15;
 
   private static final int PARTS_OF_A_PATH_AROUND = 4;
@@ -86,7 +91,15 @@ public final class ReductionPlan {
   private final Vec3 middle = new Vec3();
   private final List<HandStop> stops = new ArrayList<>();
   private final List<Disassembly.Exit> exits = new ArrayList<>();
+
+  /** The fragments that are not in place yet and can be cleared away. */
+  private final List<Integer> scattered = new ArrayList<>();
+
+  private final FragmentPlaces places;
   private double radiusMm;
+
+  /** The distance from the middle of a path around all bodies. */
+  private double aroundMm;
 
   /** A point at which the hand takes a fragment, and the direction from which it comes. */
   private record Touch(Vec3 at, Vec3 outward, double score) {}
@@ -99,6 +112,9 @@ public final class ReductionPlan {
       Body body = bodies.body(n);
       shapes.add(ToolSampler.ofSegment(body.bits(), body.grid()).thinned(MOST_POINTS));
     }
+    places =
+        new FragmentPlaces(
+            bodies, shapes.stream().map(each -> each.thinned(POINTS_IN_THE_WAY)).toList());
     measure();
   }
 
@@ -107,16 +123,19 @@ public final class ReductionPlan {
    *
    * @param bodies the bodies where they are when the hand begins; the plan moves them
    * @param truth the pose at which each body belongs, from rest to present
+   * @param points the sample points of the bodies that the hand will move, and their clearance
    * @param seen the bodies that the hand sees while it carries out the plan, in the same order
    */
-  public static ReductionPlan of(BodyScene bodies, List<Pose> truth, BodyScene seen) {
+  public static ReductionPlan of(
+      BodyScene bodies, List<Pose> truth, MovableShapes points, BodyScene seen) {
     ReductionPlan plan = new ReductionPlan(bodies, seen);
     plan.stops.add(plan.free(plan.outside(new Vec3(0, 0, 1))));
-    MovableShapes points = MovableShapes.ofPoints(bodies);
     plan.exits.addAll(Disassembly.of(bodies, truth, points, plan.liftMm()));
+    plan.exits.forEach(exit -> plan.scattered.add(exit.fragment()));
     for (int n = plan.exits.size() - 1; n >= 0; n--) {
       Disassembly.Exit exit = plan.exits.get(n);
-      plan.putBack(exit.fragment(), plan.way(exit, truth.get(exit.fragment())));
+      plan.scattered.remove(Integer.valueOf(exit.fragment()));
+      plan.putBack(exit.fragment(), plan.ways(exit, truth.get(exit.fragment())));
     }
     return plan;
   }
@@ -146,6 +165,22 @@ public final class ReductionPlan {
     for (Vec3 point : all) {
       radiusMm = Math.max(radiusMm, point.sub(middle, new Vec3()).length());
     }
+    measureAround();
+  }
+
+  /** Sets where the plan leaves a fragment. */
+  private void leave(int fragment, Pose pose) {
+    bodies.body(fragment).setPose(pose);
+    measureAround();
+  }
+
+  /** Finds how far a path around all bodies leads from the middle, where they are now. */
+  private void measureAround() {
+    double farMm = radiusMm;
+    for (int n = 0; n < bodies.count(); n++) {
+      farMm = Math.max(farMm, places.farthestMm(n, middle));
+    }
+    aroundMm = AROUND * farMm;
   }
 
   /** Returns the sample points of a body at a pose, world mm. */
@@ -163,50 +198,111 @@ public final class ReductionPlan {
     return new WayOut(bodies, fragment, points(shapes.get(fragment), pose), liftMm());
   }
 
-  /** Returns the way out of a fragment; a straight line if none was found. */
-  private List<Pose> way(Disassembly.Exit exit, Pose truth) {
-    double[] backMm = Arrays.stream(BACK_EDGES).map(n -> n * bodies.shortestEdgeMm()).toArray();
-    if (exit.pulled().isOut()) {
-      return Ways.simplified(exit.pulled().way(), backMm, shapes.get(exit.fragment()));
+  /** Returns the ways out of a fragment, the best first; a straight line if none was found. */
+  private List<WayHome> ways(Disassembly.Exit exit, Pose truth) {
+    double edgeMm = bodies.shortestEdgeMm();
+    RigidTool shape = shapes.get(exit.fragment());
+    if (!exit.pulled().isOut()) {
+      Vec3 away = wayOut(exit.fragment(), truth).direction();
+      return List.of(WayHome.straight(truth, away, liftMm(), edgeMm, shape));
     }
-    Vec3 away = wayOut(exit.fragment(), truth).direction();
-    List<Pose> way = new ArrayList<>(List.of(truth));
-    Arrays.stream(backMm).forEach(mm -> way.add(lifted(truth, away, mm)));
-    way.add(lifted(truth, away, liftMm()));
-    return way;
+    List<WayHome> ways = new ArrayList<>();
+    ways.add(WayHome.of(exit.pulled().way(), edgeMm, shape));
+    exit.others().forEach(other -> ways.add(WayHome.of(other.way(), edgeMm, shape)));
+    return ways;
   }
 
   /**
-   * Adds the stops that lead a fragment home. After the stop that lets it go come the {@link
-   * #STOPS_ASIDE} that put it aside if no try succeeds.
+   * Adds the stops that clear the way of a fragment and lead it home. After the stop that lets it
+   * go come the {@link #STOPS_ASIDE} that put it aside if no try succeeds.
    *
-   * @param way leads from its place to where it is out
+   * @param ways lead from its place to where it is out, the best first
    */
-  private void putBack(int fragment, List<Pose> way) {
-    Pose truth = way.get(0);
-    Pose out = way.get(way.size() - 1);
+  private void putBack(int fragment, List<WayHome> ways) {
+    clear(fragment, ways.get(0));
     Pose start = new Pose().set(bodies.body(fragment).pose());
     Vec3 up = wayOut(fragment, start).direction();
     Touch touch = touch(fragment, start, up);
     Pose startToHand = inverse(start).multiply(take(touch), new Pose());
-    hold(lifted(start, up, liftMm()).multiply(startToHand, new Pose()), 0, false);
-    Pose handOut = lead(fragment, out, startToHand, LOOK_SECONDS, 0, 0);
-    for (int n = way.size() - 2; n > 0; n--) {
-      hold(way.get(n).multiply(startToHand, new Pose()), 0, false);
+    hold(lifted(start, up).multiply(startToHand, new Pose()), 0, false);
+    for (int n = 0; n < WAYS; n++) {
+      lead(fragment, ways.get(n % ways.size()), startToHand, stopsFrom(n + 1, ways));
     }
-    double backMm = BACK_EDGES[BACK_EDGES.length - 1] * bodies.shortestEdgeMm() * WHOLE;
-    int back = Ways.stopsTo(backMm, way, shapes.get(fragment));
-    Pose there = lead(fragment, truth, startToHand, SETTLE_SECONDS, TRIES, back);
+    WayHome last = ways.get((WAYS - 1) % ways.size());
+    Pose there = last.place().multiply(startToHand, new Pose());
     stops.add(letGo(there, 1 + STOPS_ASIDE));
-    hold(handOut, 0, false);
-    Vec3 away = Ways.direction(way, shapes.get(fragment));
-    Pose aside = lifted(out, away, ASIDE * radiusMm).multiply(startToHand, new Pose());
-    hold(aside, PRESS_SECONDS, true);
-    stops.add(letGo(aside, 1));
-    Vec3 off = aside.rotation.rotate(touch.outward, new Vec3()).mul(liftMm(), new Vec3());
-    stops.add(free(off.add(aside.translation, off)));
+    hold(last.out().multiply(startToHand, new Pose()), 0, false);
+    Vec3 away = Ways.direction(last.poses(), shapes.get(fragment));
+    Pose aside = WayHome.shifted(last.out(), away, ASIDE * radiusMm);
+    putDown(aside.multiply(startToHand, new Pose()), touch);
     stops.add(free(outside(there.translation.sub(middle, new Vec3()))));
-    bodies.body(fragment).setPose(truth);
+    leave(fragment, last.place());
+  }
+
+  /** Returns the number of stops on all ways from a way on. */
+  private static int stopsFrom(int first, List<WayHome> ways) {
+    int count = 0;
+    for (int n = first; n < WAYS; n++) {
+      count += 1 + ways.get(n % ways.size()).stops();
+    }
+    return count;
+  }
+
+  /**
+   * Adds the stops that lead a fragment from where it is out to its place.
+   *
+   * @param after the number of stops on other ways that follow, before the one that lets it go
+   */
+  private void lead(int fragment, WayHome way, Pose startToHand, int after) {
+    correct(fragment, way.out(), startToHand, false);
+    int otherwise = after > 0 ? 1 : 2; // A hand that fails does not let go here.
+    way.addTo(stops, startToHand, seen.body(fragment)::pose, TRIES, 1 + after, otherwise);
+  }
+
+  /** Clears the fragments away that are not in place yet and lie in the way of another. */
+  private void clear(int fragment, WayHome way) {
+    for (int other : List.copyOf(scattered)) {
+      Pose pose = bodies.body(other).pose();
+      if (motion(fragment, way).stream().anyMatch(at -> places.meet(fragment, at, other, pose))) {
+        scattered.remove(Integer.valueOf(other));
+        clearAway(other);
+      }
+    }
+  }
+
+  /** Returns poses of a fragment from where it lies to its place. */
+  private List<Pose> motion(int fragment, WayHome way) {
+    Pose start = bodies.body(fragment).pose();
+    List<Pose> ends = new ArrayList<>(List.of(start));
+    ends.add(lifted(start, wayOut(fragment, start).direction()));
+    for (int n = way.poses().size() - 1; n >= 0; n--) {
+      ends.add(way.poses().get(n));
+    }
+    return Ways.paced(ends, PACE_EDGES * bodies.shortestEdgeMm(), shapes.get(fragment));
+  }
+
+  /** Adds the stops that take a fragment away from where it lies, out of the ball. */
+  private void clearAway(int fragment) {
+    Pose start = new Pose().set(bodies.body(fragment).pose());
+    Vec3 up = wayOut(fragment, start).direction();
+    Touch touch = touch(fragment, start, up);
+    Pose startToHand = inverse(start).multiply(take(touch), new Pose());
+    Pose lifted = lifted(start, up);
+    hold(lifted.multiply(startToHand, new Pose()), 0, false);
+    Vec3 reference = shapes.get(fragment).referenceMm(new Vec3());
+    Vec3 out = lifted.transform(reference, new Vec3()).sub(middle, new Vec3());
+    Pose away = WayHome.shifted(lifted, out.mul(1 / out.length(), out), CLEARED * radiusMm);
+    correct(fragment, away, startToHand, true);
+    putDown(away.multiply(startToHand, new Pose()), touch);
+    leave(fragment, away);
+  }
+
+  /** Adds the stops that let a fragment go and leave it. */
+  private void putDown(Pose hand, Touch touch) {
+    hold(hand, PRESS_SECONDS, true);
+    stops.add(letGo(hand, 1));
+    Vec3 off = hand.rotation.rotate(touch.outward, new Vec3()).mul(liftMm(), new Vec3());
+    stops.add(free(off.add(hand.translation, off)));
   }
 
   private static HandStop letGo(Pose pose, int next) {
@@ -217,21 +313,16 @@ public final class ReductionPlan {
     stops.add(new HandStop(pose, DeviceState.FIRST_BUTTON, seconds, isSteady));
   }
 
-  /** Adds a stop at which the hand corrects by eye how it holds a fragment; returns its pose. */
-  private Pose lead(
-      int fragment, Pose goal, Pose startToHand, double seconds, int tries, int back) {
-    Pose hand = goal.multiply(startToHand, new Pose());
-    int otherwise = 2; // A hand that fails does not let go here.
+  /** Adds a stop at which the hand corrects by eye how it holds a fragment. */
+  private void correct(int fragment, Pose goal, Pose startToHand, boolean isSteady) {
     Optional<HandStop.Aim> aim =
-        Optional.of(new HandStop.Aim(seen.body(fragment)::pose, goal, tries, back, otherwise));
-    stops.add(new HandStop(hand, DeviceState.FIRST_BUTTON, seconds, tries > 0, aim, 1));
-    return hand;
+        Optional.of(new HandStop.Aim(seen.body(fragment)::pose, goal, 0, 0, 1));
+    Pose hand = goal.multiply(startToHand, new Pose());
+    stops.add(new HandStop(hand, DeviceState.FIRST_BUTTON, LOOK_SECONDS, isSteady, aim, 1));
   }
 
-  private static Pose lifted(Pose pose, Vec3 direction, double mm) {
-    Pose lifted = new Pose().set(pose);
-    lifted.translation.add(direction.mul(mm, new Vec3()), lifted.translation);
-    return lifted;
+  private Pose lifted(Pose pose, Vec3 direction) {
+    return WayHome.shifted(pose, direction, liftMm());
   }
 
   private static Pose inverse(Pose pose) {
@@ -256,55 +347,74 @@ public final class ReductionPlan {
   }
 
   /**
-   * Returns a sample point that a free straight line from outside reaches. Of several it takes the
-   * line that is nearest to a preferred direction. Lines away from the middle of the points come
-   * first, then all others. Without any it takes the first point.
+   * Returns a sample point that a free straight line from outside reaches. Of several it takes that
+   * which is nearest to the middle of the fragment, so that a tremor that turns the hand moves the
+   * fragment little. Lines with room for a tremor come first, and of these lines away from the
+   * middle. Without any it takes the first point.
    */
   private Touch touch(int fragment, Pose start, Vec3 preferred) {
-    Vec3[] points = points(shapes.get(fragment).thinned(MOST_TOUCHES), start);
-    Vec3 own = new Vec3();
-    for (Vec3 point : points) {
-      own.add(point, own);
-    }
-    own.mul(1.0 / points.length, own);
+    RigidTool shape = shapes.get(fragment);
+    Vec3 own = start.transform(shape.referenceMm(new Vec3()), new Vec3());
+    Vec3[] points = points(shape.thinned(MOST_TOUCHES), start);
     Touch best = new Touch(points[0], preferred, Double.NEGATIVE_INFINITY);
-    for (Vec3 point : points) {
-      Vec3 direction = point.sub(own, new Vec3());
-      direction.mul(1 / direction.length(), direction);
-      best = better(fragment, best, new Touch(point, direction, direction.dot(preferred)));
-    }
-    for (int n = 0; n < WayOut.DIRECTIONS && best.score == Double.NEGATIVE_INFINITY; n++) {
-      Vec3 direction = WayOut.direction(n);
+    for (double roomEdges : new double[] {ROOM_EDGES, 0}) {
+      double roomMm = roomEdges * bodies.shortestEdgeMm();
       for (Vec3 point : points) {
-        best = better(fragment, best, new Touch(point, direction, direction.dot(preferred)));
+        Vec3 direction = point.sub(own, new Vec3());
+        double farMm = direction.length();
+        direction.mul(1 / farMm, direction);
+        best = better(fragment, best, new Touch(point, direction, -farMm), roomMm);
+      }
+      for (int n = 0; n < WayOut.DIRECTIONS && best.score == Double.NEGATIVE_INFINITY; n++) {
+        Vec3 direction = WayOut.direction(n);
+        for (Vec3 point : points) {
+          double farMm = point.sub(own, new Vec3()).length();
+          best = better(fragment, best, new Touch(point, direction, -farMm), roomMm);
+        }
+      }
+      if (best.score > Double.NEGATIVE_INFINITY) {
+        return best;
       }
     }
     return best;
   }
 
   /** Returns another touch if the hand can reach it and it has the higher score, else the best. */
-  private Touch better(int fragment, Touch best, Touch other) {
+  private Touch better(int fragment, Touch best, Touch other, double roomMm) {
+    return other.score > best.score && canReach(fragment, other, roomMm) ? other : best;
+  }
+
+  /** Whether lines that are shifted sideways by a distance meet nothing but the fragment. */
+  private boolean canReach(int fragment, Touch touch, double roomMm) {
+    Vec3 u = touch.outward.cross(WayOut.beside(touch.outward), new Vec3());
+    u.mul(roomMm / u.length(), u);
+    Vec3 v = touch.outward.cross(u, new Vec3());
     double edgeMm = bodies.shortestEdgeMm();
-    Vec3 clear = other.outward.mul(CLEAR_EDGES * edgeMm, new Vec3()).add(other.at, new Vec3());
-    Vec3 deep = other.outward.mul(-DEEP_EDGES * edgeMm, new Vec3()).add(other.at, new Vec3());
-    return other.score > best.score
-            && lines.isSolid(fragment, deep)
-            && lines.isFree(clear, beyondBall(other.at, other.outward))
-        ? other
-        : best;
+    for (Vec3 side : new Vec3[] {new Vec3(), u, u.mul(-1, new Vec3()), v, v.mul(-1, new Vec3())}) {
+      Vec3 at = touch.at.add(side, new Vec3());
+      Vec3 clear = touch.outward.mul(CLEAR_EDGES * edgeMm, new Vec3()).add(at, new Vec3());
+      Vec3 deep = touch.outward.mul(-DEEP_EDGES * edgeMm, new Vec3()).add(at, new Vec3());
+      if (!lines.isSolid(fragment, deep) || !lines.isFree(clear, beyondBall(at, touch.outward))) {
+        return false;
+      }
+      if (roomMm == 0) {
+        return true;
+      }
+    }
+    return true;
   }
 
   /** Returns the point on a ray that leaves the ball around all bodies. */
   private Vec3 beyondBall(Vec3 from, Vec3 direction) {
     Vec3 offset = from.sub(middle, new Vec3());
     double along = offset.dot(direction);
-    double r = AROUND * radiusMm;
+    double r = aroundMm;
     double root = Math.sqrt(Math.max(0, along * along - offset.dot(offset) + r * r));
     return direction.mul(root - along, new Vec3()).add(from, new Vec3());
   }
 
   private Vec3 outside(Vec3 direction) {
-    Vec3 far = direction.mul(AROUND * radiusMm / direction.length(), new Vec3());
+    Vec3 far = direction.mul(aroundMm / direction.length(), new Vec3());
     return far.add(middle, far);
   }
 

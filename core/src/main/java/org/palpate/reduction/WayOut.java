@@ -143,9 +143,13 @@ final class WayOut {
     return new Vec3(radius * StrictMath.cos(angle), radius * StrictMath.sin(angle), z);
   }
 
+  /** Returns an axis that is not along a direction. */
+  static Vec3 beside(Vec3 direction) {
+    return Math.abs(direction.z) < 0.7 ? new Vec3(0, 0, 1) : new Vec3(1, 0, 0);
+  }
+
   private long countAround(Vec3 candidate, long most) {
-    Vec3 side = Math.abs(candidate.z) < 0.7 ? new Vec3(0, 0, 1) : new Vec3(1, 0, 0);
-    Vec3 u = candidate.cross(side, new Vec3());
+    Vec3 u = candidate.cross(beside(candidate), new Vec3());
     u.mul(StrictMath.tan(OPENING_RAD) / u.length(), u);
     Vec3 v = candidate.cross(u, new Vec3());
     long count = 0;

@@ -39,12 +39,17 @@ final class Ways {
 
   /** Returns a way with poses between those that are far from each other. */
   private static List<Pose> dense(List<Pose> way, RigidTool shape) {
+    return paced(way, DENSE_MM, shape);
+  }
+
+  /** Returns a way with poses between those that are farther from each other than a distance. */
+  static List<Pose> paced(List<Pose> way, double paceMm, RigidTool shape) {
     List<Pose> dense = new ArrayList<>(List.of(way.get(0)));
     for (int n = 1; n < way.size(); n++) {
       Pose from = way.get(n - 1);
       Pose to = way.get(n);
       double mm = shape.metric().distance(reference(from, shape), reference(to, shape));
-      int parts = Math.max(1, (int) Math.ceil(mm / DENSE_MM));
+      int parts = Math.max(1, (int) Math.ceil(mm / paceMm));
       for (int k = 1; k < parts; k++) {
         dense.add(between(from, to, (double) k / parts, shape));
       }

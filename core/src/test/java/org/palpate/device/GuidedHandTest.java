@@ -146,6 +146,21 @@ class GuidedHandTest {
   }
 
   @Test
+  void eachOfTwoWaysHasItsOwnTries() {
+    Pose away = new Pose().set(new Vec3(9, 0, 0), new Quaternion());
+    HandStop.Aim aim = new HandStop.Aim(() -> away, new Pose(), 2, 1, 1);
+    List<HandStop> stops =
+        List.of(
+            new HandStop(at(0), 1, 0.1, false),
+            new HandStop(at(6), 1, 0.2, false, Optional.of(aim), 1),
+            new HandStop(at(3), 1, 0.1, false),
+            new HandStop(at(5), 1, 0.2, false, Optional.of(aim), 1),
+            new HandStop(at(-6), 0, 0.1, false));
+    List<Double> expected = List.of(0.0, 6.0, 0.0, 6.0, 0.0, 3.0, 5.0, 3.0, 5.0, 3.0, -6.0);
+    assertEquals(expected, visits(stops));
+  }
+
+  @Test
   void anAimWithTriesNeedsAStopToGoBackTo() {
     IllegalArgumentException refusal =
         assertThrows(

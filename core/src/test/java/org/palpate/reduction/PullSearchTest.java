@@ -23,7 +23,7 @@ class PullSearchTest {
   @Test
   void aPegComesOutOfAHoleByAStraightPull() {
     BodyScene scene = scene(BlockWithHole.bits(), box(6, 6, 4, 10, 10, 12));
-    Pulled pulled = search(scene).straight(1, DOWN, REACH_MM);
+    Pulled pulled = search(scene).straight(1, DOWN, REACH_MM, 1).get(0);
     assertTrue(pulled.isOut());
     assertTrue(pulled.farthestMm() >= 0.9 * REACH_MM, pulled.toString());
     requireFree(scene, pulled.way());
@@ -37,10 +37,27 @@ class PullSearchTest {
     BitCube shut = BlockWithHole.bits();
     add(shut, 6, 6, 14, 10, 10, 16);
     PullSearch search = search(scene(shut, box(6, 6, 4, 10, 10, 12)));
-    Pulled straight = search.straight(1, DOWN, REACH_MM);
-    assertFalse(straight.isOut());
-    assertEquals(2.5, straight.farthestMm(), 1, "comes as far as the lid");
-    assertFalse(search.around(1, REACH_MM, 1).isOut());
+    assertEquals(List.of(), search.straight(1, DOWN, REACH_MM, 1));
+    Pulled around = search.around(1, REACH_MM, 1);
+    assertFalse(around.isOut());
+    assertEquals(2.5, around.farthestMm(), 1, "comes as far as the lid");
+  }
+
+  @Test
+  void severalWaysLeadInDifferentDirectionsAndThatWithTheLeastDetourComesFirst() {
+    BodyScene scene = scene(box(0, 0, 0, 16, 16, 4), box(6, 6, 4, 10, 10, 8));
+    List<Pulled> ways = search(scene).straight(1, DOWN, REACH_MM, 5);
+    assertEquals(5, ways.size());
+    RigidTool peg = MovableShapes.ofPoints(scene).shapes().get(1);
+    for (int n = 0; n < ways.size(); n++) {
+      assertTrue(n == 0 || ways.get(n).detourMm() >= ways.get(n - 1).detourMm(), "way " + n);
+      requireFree(scene, ways.get(n).way());
+      for (int m = 0; m < n; m++) {
+        Vec3 direction = Ways.direction(ways.get(n).way(), peg);
+        double cosine = direction.dot(Ways.direction(ways.get(m).way(), peg));
+        assertTrue(cosine < 0.98, "ways " + n + " and " + m + ": " + cosine);
+      }
+    }
   }
 
   /** The channel leads down, sideways and up, so every straight pull ends in it. */
@@ -52,7 +69,7 @@ class PullSearchTest {
     remove(bent, 4, 6, 2, 6, 8, 16);
     BodyScene scene = scene(bent, box(10, 6, 7, 12, 8, 9));
     PullSearch search = search(scene);
-    assertFalse(search.straight(1, DOWN, REACH_MM).isOut());
+    assertEquals(List.of(), search.straight(1, DOWN, REACH_MM, 1));
     Pulled pulled = search.around(1, REACH_MM, 1);
     assertTrue(pulled.isOut(), pulled.farthestMm() + " mm");
     requireFree(scene, pulled.way());

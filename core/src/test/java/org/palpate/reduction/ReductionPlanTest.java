@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
@@ -16,6 +17,7 @@ import org.palpate.device.HandStop;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.rigid.MovableShapes;
 import org.palpate.volume.fracture.Fragments;
 import org.palpate.volume.phantom.FracturePhantom;
 
@@ -48,26 +50,83 @@ class ReductionPlanTest {
   }
 
   @Test
-  void afterTheLastTryTheHandPutsAFragmentAside() {
+  void afterTheLastTryOnAWayTheHandTriesAnotherAndThenPutsAFragmentAside() {
     List<HandStop> stops = plan();
     int asides = 0;
+    int others = 0;
     for (int n = 0; n < stops.size(); n++) {
       HandStop home = stops.get(n);
       if (home.aim().isPresent() && home.aim().get().tries() > 0) {
-        int aside = n + home.aim().get().otherwise();
+        int next = n + home.aim().get().otherwise();
         int letsGo = n + home.next();
         assertEquals(0, stops.get(letsGo).buttons());
-        int after = letsGo + stops.get(letsGo).next();
-        while (stops.get(aside).buttons() != 0) {
-          aside += stops.get(aside).next();
+        assertTrue(isInverse(motion(stops.get(letsGo).pose(), home.pose()), new Pose()));
+        if (stops.get(next).aim().isPresent()) {
+          assertEquals(0, stops.get(next).aim().get().tries(), "looks where it is out");
+          others++;
+        } else {
+          requireAside(stops, home, next, letsGo);
+          asides++;
         }
-        assertEquals(after, aside + 2, "both go on alike");
-        Vec3 far = stops.get(aside).pose().translation.sub(home.pose().translation, new Vec3());
-        assertTrue(far.length() > 80, "is out of the way: " + far);
-        asides++;
       }
     }
     assertEquals(3, asides);
+    assertEquals(6, others);
+  }
+
+  private static void requireAside(List<HandStop> stops, HandStop home, int next, int letsGo) {
+    int aside = next;
+    int after = letsGo + stops.get(letsGo).next();
+    while (stops.get(aside).buttons() != 0) {
+      aside += stops.get(aside).next();
+    }
+    assertEquals(after, aside + 2, "both go on alike");
+    Vec3 far = stops.get(aside).pose().translation.sub(home.pose().translation, new Vec3());
+    assertTrue(far.length() > 80, "is out of the way: " + far);
+  }
+
+  /** The fracture left the lid above the hole into which the peg goes. */
+  @Test
+  void theHandFirstClearsAwayWhatLiesInTheWay() {
+    assertEquals(List.of(2, 1, 2), takenWithLidAt(Pose.at(0, 0, 6)));
+    assertEquals(List.of(1, 2), takenWithLidAt(Pose.at(0, -40, 0)));
+  }
+
+  /** Returns the numbers of the fragments in the order in which the hand takes hold of them. */
+  private static List<Integer> takenWithLidAt(Pose lid) {
+    List<Body> bodies =
+        List.of(
+            new Body("block", BlockWithHole.bits(), BlockWithHole.GRID, Mobility.FIXED),
+            new Body(
+                "peg",
+                PullSearchTest.box(6, 6, 4, 10, 10, 12),
+                BlockWithHole.GRID,
+                Mobility.MOVABLE),
+            new Body(
+                "lid",
+                PullSearchTest.box(6, 6, 12, 10, 10, 16),
+                BlockWithHole.GRID,
+                Mobility.MOVABLE));
+    bodies.get(1).setPose(Pose.at(0, 40, 0));
+    bodies.get(2).setPose(lid);
+    BodyScene scene = new BodyScene(bodies);
+    BodyScene seen = new BodyScene(bodies);
+    List<HandStop> stops =
+        ReductionPlan.of(
+                scene, Collections.nCopies(3, new Pose()), MovableShapes.ofPoints(scene), seen)
+            .stops();
+    List<Integer> taken = new ArrayList<>();
+    for (int n = 1; n < stops.size(); n++) {
+      if (stops.get(n).isSteady() && stops.get(n).buttons() > stops.get(n - 1).buttons()) {
+        Optional<HandStop.Aim> aim = Optional.empty();
+        for (int m = n; aim.isEmpty(); m++) {
+          aim = stops.get(m).aim();
+        }
+        Pose pose = aim.get().seen().get();
+        taken.add(bodies.get(1).pose() == pose ? 1 : 2);
+      }
+    }
+    return taken;
   }
 
   @Test
@@ -125,7 +184,9 @@ class ReductionPlanTest {
   }
 
   private List<HandStop> plan() {
-    return ReductionPlan.of(scene(), Collections.nCopies(4, new Pose()), scene()).stops();
+    BodyScene scene = scene();
+    List<Pose> truth = Collections.nCopies(4, new Pose());
+    return ReductionPlan.of(scene, truth, MovableShapes.ofPoints(scene), scene()).stops();
   }
 
   private BodyScene scene() {

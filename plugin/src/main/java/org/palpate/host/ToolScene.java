@@ -52,6 +52,7 @@ public final class ToolScene {
   private final ContactScene scene;
   private final BodyScene bodies;
   private final RigidTool tool;
+  private final MovableShapes movableShapes;
   private final OptionalDouble rotationalStiffness;
   private final RigidSolver solver;
   private final EditQueue edits;
@@ -113,6 +114,7 @@ public final class ToolScene {
     this.scene = scene;
     this.bodies = bodies;
     this.tool = tool;
+    movableShapes = shapes;
     this.rotationalStiffness = rotationalStiffness;
     List<GreyIsosurfaceSource> greys = scene.greySource().map(List::of).orElse(List.of());
     solver =
@@ -128,6 +130,11 @@ public final class ToolScene {
   /** {@return the volume, its contact settings and its grey values} */
   public ContactScene contactScene() {
     return scene;
+  }
+
+  /** {@return the sample points of the bodies that move, and the clearance that they keep} */
+  public MovableShapes movableShapes() {
+    return movableShapes;
   }
 
   /** {@return the bodies, in the order of the segments} */

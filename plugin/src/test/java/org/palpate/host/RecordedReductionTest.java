@@ -145,7 +145,9 @@ class RecordedReductionTest {
     List<Pose> truth = Collections.nCopies(scene.bodies().count(), new Pose());
     GuidedHand hand =
         new GuidedHand(
-            ReductionPlan.of(scene.contactScene().newBodies(), truth, scene.bodies()).stops(),
+            ReductionPlan.of(
+                    scene.contactScene().newBodies(), truth, scene.movableShapes(), scene.bodies())
+                .stops(),
             new Tremor(0.3, Math.toRadians(1), 8, 1),
             100,
             MS);

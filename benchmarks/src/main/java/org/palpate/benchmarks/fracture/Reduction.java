@@ -53,7 +53,7 @@ record Reduction(List<PutBack> parts, long frames) {
   static Reduction of(BrokenBone bone, Contact contact, long seed) {
     BodyScene bodies = bone.bodies();
     List<Pose> truth = Collections.nCopies(bodies.count(), new Pose());
-    ReductionPlan plan = ReductionPlan.of(bone.bodies(), truth, bodies);
+    ReductionPlan plan = ReductionPlan.of(bone.bodies(), truth, contact.shapes(bodies), bodies);
     GuidedHand hand =
         new GuidedHand(
             plan.stops(), new Tremor(0.3, Math.toRadians(1), 8, seed), REACH_MM, FRAME_NANOS);

@@ -105,10 +105,11 @@ final class SessionScene {
    * @param periodNanos time between two samples, positive
    */
   HapticDevice reducingHand(long seed, long periodNanos) {
-    BodyScene seen = rigid.orElseThrow().bodies();
+    ToolScene tool = rigid.orElseThrow();
+    BodyScene seen = tool.bodies();
     List<Pose> truth = Collections.nCopies(seen.count(), new Pose());
     return new GuidedHand(
-        ReductionPlan.of(scene.newBodies(), truth, seen).stops(),
+        ReductionPlan.of(scene.newBodies(), truth, tool.movableShapes(), seen).stops(),
         new Tremor(TREMOR_MM, TREMOR_RAD, TREMOR_HZ, seed),
         handTarget().radiusMm(),
         periodNanos);

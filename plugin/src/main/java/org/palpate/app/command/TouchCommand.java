@@ -316,9 +316,15 @@ public final class TouchCommand implements Callable<Integer> {
       HandTarget target,
       long periodNanos)
       throws IOException {
-    HapticDevice opened =
+    boolean reduces =
         choice.device().isSimulated()
-                && source.placed().filter(PlacedVolume::isDisplaced).isPresent()
+            && source.placed().filter(PlacedVolume::isDisplaced).isPresent();
+    if (reduces) {
+      out.println("plans how a simulated hand puts the fragments back ...");
+      out.flush();
+    }
+    HapticDevice opened =
+        reduces
             ? scene.reducingHand(choice.device().seed(), periodNanos)
             : choice.open(target, source.header().coordinateSystem(), periodNanos, tool.isRigid());
     return hasWindow() && choice.device().isSimulated()
