@@ -31,38 +31,39 @@ class FrameWorkTest {
   /**
    * The same for a hostile hand. Most sliding frames of {@code smooth} find all voxels in its
    * cache, so this ratio and those below refer to the 99th percentile of a slide, a frame in which
-   * the cache moves on. Some hostile scenes have long voxels.
+   * the cache moves on. That takes 52 units; while it took 76, the ratios were smaller in
+   * proportion. Some hostile scenes have long voxels.
    */
-  private static final int MAX_RATIO_OF_HOSTILE = 6;
+  private static final int MAX_RATIO_OF_HOSTILE = 8;
 
   /**
    * The same among alternating slices of long voxels. Half of the slices are empty, so that the
    * search for an outline reads them as far as it reaches: 24 pixels to each side. After a jump
    * none of these pixels is cached, and each column is interpolated anew.
    */
-  private static final int MAX_RATIO_AMONG_SLICES = 40;
+  private static final int MAX_RATIO_AMONG_SLICES = 56;
 
   /** The same if a voxel is edited before each frame, which empties the cache around it. */
-  private static final int MAX_RATIO_AMONG_EDITED_SLICES = 60;
+  private static final int MAX_RATIO_AMONG_EDITED_SLICES = 84;
 
   /**
    * The same if slices are 9 and 10 pixels apart. The longest path of a frame, three slices, is up
    * to 30 pixels there, so that windows at its two ends share no columns. With slices up to 3
    * pixels apart it is 8 or 9 pixels, less than a window is wide.
    */
-  private static final int MAX_RATIO_AMONG_FAR_SLICES = 60;
+  private static final int MAX_RATIO_AMONG_FAR_SLICES = 84;
 
   /** The same with edits. */
-  private static final int MAX_RATIO_AMONG_EDITED_FAR_SLICES = 80;
+  private static final int MAX_RATIO_AMONG_EDITED_FAR_SLICES = 112;
 
   /**
    * The same if voxels are long along two axes. The search of the second cut then reads cells that
    * the first one makes.
    */
-  private static final int MAX_RATIO_ALONG_TWO_AXES = 80;
+  private static final int MAX_RATIO_ALONG_TWO_AXES = 112;
 
   /** The same with edits. */
-  private static final int MAX_RATIO_OF_EDITED_ALONG_TWO_AXES = 120;
+  private static final int MAX_RATIO_OF_EDITED_ALONG_TWO_AXES = 168;
 
   private static final int CASES = 200;
   private static final int JUMPS = 8_000;

@@ -21,7 +21,7 @@ final class BrickCopy {
   private static final int COUNT = BRICKS * BRICKS * BRICKS;
 
   /** The cells that are left on an axis beside a window. */
-  private static final int ROOM = EDGE - BinaryWindow.EDGE;
+  static final int ROOM = EDGE - BinaryWindow.EDGE;
 
   /** For each offset along x, the bricks that another copy holds as well, see {@link #masks}. */
   private static final long[] MASK_X = masks(1, BRICKS);

@@ -63,6 +63,25 @@ final class CellCorrections {
   /** Corrections of cells, in bricks of 4x4x4. */
   interface Source {
     /**
+     * Returns the bricks of a copy that was read anew of which {@link #find} must be asked. The
+     * others hold no correction, or are known.
+     *
+     * @param kept the bricks that were in the copy at the last call, a bit each
+     * @param offset how much greater their number was there
+     */
+    default long toFind(long kept, int offset) {
+      return ~kept;
+    }
+
+    /**
+     * Returns more bricks of the same copy of which {@link #find} must be asked before a window is
+     * corrected.
+     */
+    default long toFindInWindow(CollisionScene scene, BinaryWindow window) {
+      return 0;
+    }
+
+    /**
      * Finds the corrections of a brick that comes into the copy.
      *
      * @param number the brick's number in the copy
@@ -215,6 +234,10 @@ final class CellCorrections {
     }
     isAllReached = !window.anyUnreached();
     for (int n = 0; n < sources.length; n++) {
+      long toFind = sources[n].toFindInWindow(scene, window);
+      if (toFind != 0) {
+        correctedBricks[n] |= find(scene, sources[n], toFind);
+      }
       for (long left = correctedBricks[n]; left != 0; left &= left - 1) {
         readBrick(scene, sources[n], Long.numberOfTrailingZeros(left));
       }
@@ -229,22 +252,32 @@ final class CellCorrections {
     int x = copy.lowX() >> 2;
     int y = copy.lowY() >> 2;
     int z = copy.lowZ() >> 2;
-    long kept = isKnown ? BrickCopy.overlap(x - knownX, y - knownY, z - knownZ) : 0;
-    for (int n = 0; n < sources.length; n++) {
-      long found = kept & BrickCopy.moved(correctedBricks[n], x - knownX, y - knownY, z - knownZ);
-      for (long left = ~kept; left != 0; left &= left - 1) {
-        int brick = Long.numberOfTrailingZeros(left);
-        boolean any =
-            sources[n].find(scene, brick, x + (brick & 3), y + (brick >> 2 & 3), z + (brick >> 4));
-        found |= any ? 1L << brick : 0;
-      }
-      correctedBricks[n] = found;
-    }
+    int byX = x - knownX;
+    int byY = y - knownY;
+    int byZ = z - knownZ;
+    long kept = isKnown ? BrickCopy.overlap(byX, byY, byZ) : 0;
     knownReads = copy.reads();
     knownX = x;
     knownY = y;
     knownZ = z;
     isKnown = true;
+    for (int n = 0; n < sources.length; n++) {
+      long found = kept & BrickCopy.moved(correctedBricks[n], byX, byY, byZ);
+      long toFind = sources[n].toFind(kept, BrickCopy.number(byX, byY, byZ));
+      correctedBricks[n] = found | find(scene, sources[n], toFind);
+    }
+  }
+
+  /** Returns those of some bricks of the copy that hold corrections. */
+  private long find(CollisionScene scene, Source source, long bricks) {
+    long found = 0;
+    for (long left = bricks; left != 0; left &= left - 1) {
+      int n = Long.numberOfTrailingZeros(left);
+      boolean any =
+          source.find(scene, n, knownX + (n & 3), knownY + (n >> 2 & 3), knownZ + (n >> 4));
+      found |= any ? 1L << n : 0;
+    }
+    return found;
   }
 
   private void readBrick(CollisionScene scene, Source source, int brick) {

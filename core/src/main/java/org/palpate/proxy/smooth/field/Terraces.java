@@ -33,21 +33,14 @@ final class Terraces implements CellCorrections.Source {
   /** The number of the last column of a tile along u or v. */
   private static final int LAST = 3;
 
-  private static final long SOLID = -1;
-
   /** The four layers of a brick, a bit each. */
   private static final int ALL_LAYERS = 0xF;
-
-  /** The cells of a brick's first layer across each axis. */
-  private static final long LAYER_X = 0x1111_1111_1111_1111L;
-
-  private static final long LAYER_Y = 0x000F_000F_000F_000FL;
-  private static final long LAYER_Z = 0xFFFFL;
 
   /** The bits of the cells if {@link #forget} must make them forget, else null. */
   private final BrickSource bits;
 
   private final BrickCopy copy;
+  private final FlatBricks flatBricks;
   private final Axis[] axes;
 
   /** The bricks that changes of cells reach: scratch. */
@@ -88,12 +81,15 @@ final class Terraces implements CellCorrections.Source {
     this.copy = copy;
     Vec3 cellEdges = grid.cellEdges(edges);
     axes = new Axis[3 - grid.cuts().size()];
+    int[] numbers = new int[axes.length];
     int count = 0;
     for (int axis = 0; axis < 3; axis++) {
       if (!grid.isCut(axis)) {
+        numbers[count] = axis;
         axes[count++] = new Axis(axis, cells, cellEdges);
       }
     }
+    flatBricks = new FlatBricks(copy, numbers);
   }
 
   @Override
@@ -122,16 +118,26 @@ final class Terraces implements CellCorrections.Source {
   }
 
   @Override
+  public long toFind(long kept, int offset) {
+    return flatBricks.find(kept, offset);
+  }
+
+  @Override
+  public long toFindInWindow(CollisionScene scene, BinaryWindow window) {
+    return flatBricks.findAtRim(
+        scene,
+        window.lowX() - copy.lowX(),
+        window.lowY() - copy.lowY(),
+        window.lowZ() - copy.lowZ());
+  }
+
+  @Override
   public boolean find(CollisionScene scene, int number, int x, int y, int z) {
-    long brick = copy.brick(number);
-    if (brick == SOLID) {
-      return false;
-    }
     int slot = keys.slot(x, y, z);
     if (!keys.holdsElseSet(slot, x, y, z)) {
       slots.clear(slot);
       for (Axis axis : axes) {
-        axis.findLayers(scene, copy, brick, number);
+        axis.findLayers(scene, copy, number);
         if (axis.hasTerrace()) {
           axis.slices.use(scene);
           correctTiles(axis, x, y, z, slot);
@@ -200,11 +206,6 @@ final class Terraces implements CellCorrections.Source {
 
     private final int number;
 
-    /** The cells of the first layer in the word of a brick. */
-    private final long firstLayer;
-
-    private final long lastLayer;
-
     private final SliceBits slices;
     private final ShapeInterpolation interpolation;
 
@@ -219,8 +220,6 @@ final class Terraces implements CellCorrections.Source {
 
     Axis(int number, BrickSource cells, Vec3 cellEdges) {
       this.number = number;
-      firstLayer = number == 0 ? LAYER_X : number == 1 ? LAYER_Y : LAYER_Z;
-      lastLayer = firstLayer << (LAST << (2 * number));
       slices = new SliceBits(cells, number);
       interpolation =
           new ShapeInterpolation(
@@ -238,15 +237,22 @@ final class Terraces implements CellCorrections.Source {
     }
 
     /** Finds the empty and the solid layers of a brick of the copy. */
-    void findLayers(CollisionScene scene, BrickCopy copy, long brick, int brickNumber) {
-      empty = brick == 0 ? ALL_LAYERS : ~layersOf(brick) & ALL_LAYERS;
-      solid = brick == 0 ? 0 : (~layersOf(~brick) & ALL_LAYERS) << 1;
-      if ((empty & 1) != 0 && copy.areSolidBeside(scene, brickNumber, number, -1, lastLayer)) {
+    void findLayers(CollisionScene scene, BrickCopy copy, int brickNumber) {
+      long brick = copy.brick(brickNumber);
+      empty = ~FlatBricks.layersOf(brick, number) & ALL_LAYERS;
+      solid = (~FlatBricks.layersOf(~brick, number) & ALL_LAYERS) << 1;
+      if ((empty & 1) != 0 && areSolidBeside(scene, copy, brickNumber, -1)) {
         solid |= 1;
       }
-      if ((empty & 8) != 0 && copy.areSolidBeside(scene, brickNumber, number, 1, firstLayer)) {
+      if ((empty & 8) != 0 && areSolidBeside(scene, copy, brickNumber, 1)) {
         solid |= 1 << 5;
       }
+    }
+
+    private boolean areSolidBeside(
+        CollisionScene scene, BrickCopy copy, int brickNumber, int step) {
+      long nearest = FlatBricks.outermost(number, -step);
+      return copy.areSolidBeside(scene, brickNumber, number, step, nearest);
     }
 
     /** Whether an empty layer of the brick lies beside a solid one. */
@@ -262,40 +268,6 @@ final class Terraces implements CellCorrections.Source {
     /** Returns the empty layers that lie below a solid one, a bit each. */
     int terracesBelow() {
       return empty & solid >> 2;
-    }
-
-    /** Returns the layers of a brick that hold a set bit, a bit each. */
-    int layersOf(long brick) {
-      return switch (number) {
-        case 0 -> acrossX(alongZ(brick));
-        case 1 -> acrossY(alongZ(brick));
-        default -> acrossZ(brick);
-      };
-    }
-
-    /** Unites the four layers across z. */
-    private static int alongZ(long brick) {
-      long halves = brick | brick >>> 32;
-      return (int) (halves | halves >>> 16) & 0xFFFF;
-    }
-
-    private static int acrossX(int layer) {
-      int halves = layer | layer >>> 8;
-      return (halves | halves >>> 4) & ALL_LAYERS;
-    }
-
-    private static int acrossY(int layer) {
-      return ((layer & 0xF) != 0 ? 1 : 0)
-          | ((layer & 0xF0) != 0 ? 2 : 0)
-          | ((layer & 0xF00) != 0 ? 4 : 0)
-          | ((layer & 0xF000) != 0 ? 8 : 0);
-    }
-
-    private static int acrossZ(long brick) {
-      return ((brick & LAYER_Z) != 0 ? 1 : 0)
-          | ((brick & LAYER_Z << 16) != 0 ? 2 : 0)
-          | ((brick & LAYER_Z << 32) != 0 ? 4 : 0)
-          | ((brick & LAYER_Z << 48) != 0 ? 8 : 0);
     }
 
     /** Finds the heights at the corners of a tile, and the others by linear interpolation. */
