@@ -73,13 +73,15 @@ abstract class GreyOccupancyCache {
     int word = x >> 3;
     int shift = (x & 7) << 3;
     int lower = word & 1;
+    for (int k = z; k < z + EDGE; k++) {
+      if (!holds(k & RING_MASK, word, y, k)) {
+        fetchRows(k & RING_MASK, word, y, k);
+      }
+    }
     int to = 0;
     for (int k = z; k < z + EDGE; k++) {
       int plane = k & RING_MASK;
-      if (planeK[plane] != k
-          || planeWord[plane] != word
-          || firstRow[plane] > y
-          || endRow[plane] < y + EDGE) {
+      if (!holds(plane, word, y, k)) {
         fill(plane, word, y, k, scene);
       }
       for (int j = y; j < y + EDGE; j++) {
@@ -89,6 +91,30 @@ abstract class GreyOccupancyCache {
       }
     }
   }
+
+  /** Whether a plane holds two words of the rows from y on. */
+  private boolean holds(int plane, int word, int y, int k) {
+    return planeK[plane] == k
+        && planeWord[plane] == word
+        && firstRow[plane] <= y
+        && endRow[plane] >= y + EDGE;
+  }
+
+  /** Fetches what {@link #fill} will read. */
+  private void fetchRows(int plane, int word, int y, int k) {
+    boolean holdsSome = planeK[plane] == k && planeWord[plane] == word;
+    for (int j = y; j < y + EDGE; j++) {
+      if (!holdsSome || j < firstRow[plane] || j >= endRow[plane]) {
+        fetch(word, j, k);
+      }
+    }
+  }
+
+  /**
+   * Fetches a value of a row that will be read soon, if it lies far away in memory. The memory then
+   * brings the values of several rows at the same time.
+   */
+  void fetch(int word, int j, int k) {}
 
   /** Makes a plane hold two words of the rows from y on; keeps the rows that it holds already. */
   private void fill(int plane, int word, int y, int k, CollisionScene scene) {

@@ -33,6 +33,9 @@ final class GreyVoxels extends GreyOccupancyCache {
   private final int[] brickY = new int[3];
   private final int[] brickZ = new int[3];
 
+  /** The sum of all values that were fetched, without which the JIT would leave them out. */
+  double fetched;
+
   GreyVoxels(GreyIsosurfaceSource source) {
     this.source = source;
     grid = source.grid();
@@ -51,6 +54,14 @@ final class GreyVoxels extends GreyOccupancyCache {
     volume = now.volume();
     quantizer = now.quantizer();
     Arrays.fill(brickWord, NONE);
+  }
+
+  @Override
+  void fetch(int word, int j, int k) {
+    int i = word << 3;
+    if (grid.contains(i, j, k)) {
+      fetched += volume.value(i, j, k);
+    }
   }
 
   @Override
