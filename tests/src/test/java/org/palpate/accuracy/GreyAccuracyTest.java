@@ -57,14 +57,14 @@ class GreyAccuracyTest {
     "1.3, sphere, 0.35, 1.7, 0.03, 0.02",
     "1.3, torus, 0.5, 2.2, 0.03, 0.02",
     "2, plane, 0.2, 0.5, 0.01, 0.02",
-    "2, sphere, 0.35, 1.8, 0.03, 0.02",
-    "2, torus, 0.5, 1.9, 0.03, 0.02",
+    "2, sphere, 0.25, 1.2, 0.03, 0.02",
+    "2, torus, 0.45, 1.4, 0.03, 0.02",
     "3, plane, 0.2, 0.5, 0.01, 0.02",
-    "3, sphere, 0.45, 3, 0.03, 0.02",
-    "3, torus, 0.55, 3, 0.03, 0.02",
+    "3, sphere, 0.25, 1.2, 0.03, 0.02",
+    "3, torus, 0.45, 1.4, 0.03, 0.02",
     "5, plane, 0.6, 1.4, 0.02, 0.02",
-    "5, sphere, 1, 5.6, 0.03, 0.02",
-    "5, torus, 1, 4.6, 0.03, 0.02",
+    "5, sphere, 0.65, 2.2, 0.03, 0.02",
+    "5, torus, 0.75, 2.4, 0.03, 0.02",
     "10, plane, 0.4, 0.8, 0.02, 0.03"
   })
   void slicesFartherApartThanPixelsHardlyTiltTheForce(
@@ -80,9 +80,9 @@ class GreyAccuracyTest {
   @CsvSource({"1, 2, 2", "2, 1, 2", "2, 2, 1"})
   void voxelsThatAreLongAlongTwoAxesHardlyTiltTheForce(double x, double y, double z) {
     Vec3 spacing = new Vec3(x, y, z);
-    checkSlides("plane", spacing, 0.4, 1, 0.01);
-    checkSlides("sphere", spacing, 0.8, 5, 0.03);
-    checkSlides("torus", spacing, 1, 6, 0.04);
+    checkSlides("plane", spacing, 0.25, 0.6, 0.01);
+    checkSlides("sphere", spacing, 0.25, 1.2, 0.03);
+    checkSlides("torus", spacing, 0.45, 1.4, 0.03);
   }
 
   private static void checkSlides(
