@@ -161,6 +161,12 @@ public final class GlobalFit {
     return Optional.of(new Proposal(pose, best.get(0).score(), next));
   }
 
+  /** Returns the area of the surface of a fragment, mm^2. */
+  double surfaceMm2(int fragment) {
+    FragmentSurface surface = surfaces.of(fragment);
+    return surface.areaMm2() * surface.points().size();
+  }
+
   /** Whether two poses of a fragment are different places, more than an error of the fit apart. */
   boolean isElsewhere(int fragment, Pose one, Pose two) {
     return FitCandidate.isElsewhere(one, two, surfaces.of(fragment).centroid(), edgeMm);

@@ -21,6 +21,9 @@ public final class Reassembly {
   /** A proposal is uncertain if the score of another place is more than this part of its own. */
   private static final double MOST_NEXT = 0.5;
 
+  /** A proposal is uncertain if its score is less than this part of the fragment's surface. */
+  private static final double LEAST_OF_SURFACE = 0.01;
+
   private final GlobalFit fits;
   private final List<Pose> present;
   private final List<Pose> proposed = new ArrayList<>();
@@ -39,11 +42,16 @@ public final class Reassembly {
    * @param other the index of the fragment that it fits to
    * @param scoreMm2 the area that speaks for the pose less the area against it, mm^2
    * @param nextScoreMm2 the best score of the fragment at another place, mm^2; 0 without one
+   * @param surfaceMm2 the area of the whole surface of the fragment, mm^2
    */
-  public record Joint(int fragment, int other, double scoreMm2, double nextScoreMm2) {
-    /** {@return whether another place has more than half of the score} */
+  public record Joint(
+      int fragment, int other, double scoreMm2, double nextScoreMm2, double surfaceMm2) {
+    /**
+     * {@return whether another place has more than half of the score, or the score is less than a
+     * hundredth of the surface}
+     */
     public boolean isUncertain() {
-      return nextScoreMm2 > MOST_NEXT * scoreMm2;
+      return nextScoreMm2 > MOST_NEXT * scoreMm2 || scoreMm2 < LEAST_OF_SURFACE * surfaceMm2;
     }
   }
 
@@ -160,7 +168,8 @@ public final class Reassembly {
         next = Math.max(next, each.scoreMm2);
       }
     }
-    return new Joint(best.fragment, best.other, best.scoreMm2, next);
+    return new Joint(
+        best.fragment, best.other, best.scoreMm2, next, fits.surfaceMm2(best.fragment));
   }
 
   /**

@@ -58,9 +58,10 @@ class GlobalFitTest {
   }
 
   @Test
-  void aProposalIsUncertainIfAnotherPlaceHasMoreThanHalfOfItsScore() {
-    assertFalse(new Reassembly.Joint(1, 0, 100, 50).isUncertain());
-    assertTrue(new Reassembly.Joint(1, 0, 100, 51).isUncertain());
+  void aProposalIsUncertainIfAnotherPlaceIsNearlyAsGoodOrLittleSpeaksForIt() {
+    assertFalse(new Reassembly.Joint(1, 0, 100, 50, 10_000).isUncertain());
+    assertTrue(new Reassembly.Joint(1, 0, 100, 51, 10_000).isUncertain());
+    assertTrue(new Reassembly.Joint(1, 0, 100, 50, 10_100).isUncertain());
   }
 
   @Test
