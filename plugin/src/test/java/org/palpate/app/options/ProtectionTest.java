@@ -15,6 +15,7 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 
 class ProtectionTest {
@@ -49,14 +50,14 @@ class ProtectionTest {
     Protection protection = new Protection("nerve", 2, 3);
     HapticEffect push =
         protection
-            .guidance(oneVoxel(grid, 8), grid)
+            .guidance(oneVoxel(grid, 8))
             .orElseThrow()
             .make(new EffectSite(RigidTransform.identity(), 0.5, 0, 10, List.of(new Vec3())));
     assertEquals(0, pushAt(push, 8.5 + 5.6).length(), "beyond margin and guidance");
     Vec3 near = pushAt(push, 8.5 + 4);
     assertTrue(near.x > 0.1 && near.y == 0 && near.z == 0, near.toString());
     assertTrue(pushAt(push, 8.5 + 3).x > near.x, "it grows towards the segment");
-    assertTrue(new Protection("nerve", 2, 0).guidance(oneVoxel(grid, 8), grid).isEmpty());
+    assertTrue(new Protection("nerve", 2, 0).guidance(oneVoxel(grid, 8)).isEmpty());
   }
 
   private static Vec3 pushAt(HapticEffect push, double x) {
@@ -69,10 +70,10 @@ class ProtectionTest {
     return force;
   }
 
-  private static Segment oneVoxel(VoxelGrid grid, int at) {
+  private static SegmentedVolume oneVoxel(VoxelGrid grid, int at) {
     BitCube bits = new BitCube(grid.sizeX(), grid.sizeY(), grid.sizeZ());
     bits.set(at, at, at);
-    return new Segment("nerve", bits, 0xFFFFFF);
+    return new SegmentedVolume(grid, List.of(new Segment("nerve", bits, 0xFFFFFF)));
   }
 
   @Test
@@ -81,6 +82,6 @@ class ProtectionTest {
     Given.refuses(
         "the segment is too large for a guidance force: --protect nerve: end it with :0, as in"
             + " nerve:1:0",
-        () -> new Protection("nerve", 200, 1).guidance(oneVoxel(grid, 8), grid));
+        () -> new Protection("nerve", 60, 200).guidance(oneVoxel(grid, 8)));
   }
 }
