@@ -76,11 +76,6 @@ final class WorkCounts {
     add(steps + bits.words() - before);
   }
 
-  /** Returns the most windows of voxels that a frame of {@code smooth} read; 0 for others. */
-  int mostWindows() {
-    return mostWindows;
-  }
-
   private void add(long steps) {
     if (frames == counts.length) {
       counts = Arrays.copyOf(counts, 2 * frames);
@@ -88,8 +83,17 @@ final class WorkCounts {
     counts[frames++] = steps;
   }
 
-  /** Returns the work of each frame, in order. */
-  long[] counts() {
-    return Arrays.copyOf(counts, frames);
+  /** Returns the counts so far, without the solver and its caches. */
+  Result result() {
+    return new Result(Arrays.copyOf(counts, frames), mostWindows);
   }
+
+  /**
+   * The counts of some frames.
+   *
+   * @param counts the work of each frame, in order
+   * @param mostWindows the most windows of voxels that a frame of {@code smooth} read; 0 for others
+   */
+  @SuppressWarnings("ArrayRecordComponent") // nobody compares results
+  record Result(long[] counts, int mostWindows) {}
 }

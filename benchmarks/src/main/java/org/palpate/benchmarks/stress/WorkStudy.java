@@ -97,7 +97,7 @@ public final class WorkStudy {
       return List.of(hand, frames, median, p99, worst);
     }
 
-    static Row of(String hand, List<WorkCounts> parts) {
+    static Row of(String hand, List<WorkCounts.Result> parts) {
       long[] sorted = parts.stream().flatMapToLong(part -> Arrays.stream(part.counts())).toArray();
       Arrays.sort(sorted);
       int last = sorted.length - 1;
@@ -108,7 +108,7 @@ public final class WorkStudy {
           sorted[(int) (last * 0.99)],
           sorted[(int) (last * 0.999)],
           sorted[last],
-          parts.stream().mapToInt(WorkCounts::mostWindows).max().orElseThrow());
+          parts.stream().mapToInt(WorkCounts.Result::mostWindows).max().orElseThrow());
     }
   }
 
@@ -147,7 +147,7 @@ public final class WorkStudy {
     return Row.of(name, List.of(follow(phantom.segments().segments().get(0).bits(), slide)));
   }
 
-  private WorkCounts follow(BitCube bits, Trajectory trajectory) {
+  private WorkCounts.Result follow(BitCube bits, Trajectory trajectory) {
     GridMetric unit = new GridMetric(1, 1, 1);
     Vec3 device = trajectory.position(0, new Vec3());
     Vec3 start = new Vec3().set(device);
@@ -161,11 +161,11 @@ public final class WorkStudy {
     for (int frame = 0; frame < trajectory.size(); frame++) {
       counts.follow(trajectory.position(frame, device));
     }
-    return counts;
+    return counts.result();
   }
 
   private Row hostile() {
-    List<WorkCounts> all = new ArrayList<>();
+    List<WorkCounts.Result> all = new ArrayList<>();
     for (int number = 0; number < cases; number++) {
       StressCase stress = new StressCase(StressRun.caseSeed(seed, number));
       double maxStepMm = ContactSettings.defaultMaxStepMm(stress.scene.spacingMm());
@@ -177,7 +177,7 @@ public final class WorkStudy {
         stress.next(frame, counts.position(), device);
         counts.follow(device);
       }
-      all.add(counts);
+      all.add(counts.result());
     }
     return Row.of(HOSTILE, all);
   }
@@ -188,14 +188,14 @@ public final class WorkStudy {
    */
   private Row slices(String name, List<Vec3> spacings, boolean edited) {
     int frames = jumps / spacings.size();
-    List<WorkCounts> all = new ArrayList<>();
+    List<WorkCounts.Result> all = new ArrayList<>();
     for (Vec3 edges : spacings) {
       all.add(jumpAmongSlices(edges, frames, edited));
     }
     return Row.of(name, all);
   }
 
-  private WorkCounts jumpAmongSlices(Vec3 edges, int frames, boolean edited) {
+  private WorkCounts.Result jumpAmongSlices(Vec3 edges, int frames, boolean edited) {
     SplittableRandom random = new SplittableRandom(seed);
     int rows = (int) (SLICES_EDGE / edges.y);
     BitCube bits = new BitCube(SLICES_EDGE, rows, (int) (SLICES_EDGE / edges.z));
@@ -223,6 +223,6 @@ public final class WorkStudy {
       }
       counts.follow(device);
     }
-    return counts;
+    return counts.result();
   }
 }
