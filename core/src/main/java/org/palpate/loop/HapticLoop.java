@@ -41,6 +41,14 @@ public final class HapticLoop implements AutoCloseable {
   private final AtomicReference<LoopEnd> end = new AtomicReference<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private final Thread thread = new Thread(this::run, THREAD_NAME);
+  private final Object warmUpLock = new Object();
+
+  /** The thread that warms up now, or null; guarded by {@link #warmUpLock}. */
+  private Thread warmingUp;
+
+  /** Whether a warm-up is to end, or not to begin; guarded by {@link #warmUpLock}. */
+  private boolean warmUpIsOver;
+
   private volatile ThreadSetup.Granted granted = ThreadSetup.Granted.NOTHING;
 
   // The supervising thread alone uses these.
@@ -74,12 +82,41 @@ public final class HapticLoop implements AutoCloseable {
     Throwable failure = null;
     try {
       granted = settings.threadSetup().setUp();
-      settings.warmUp().run();
+      warmUp();
       cause = pacedLoop.run();
     } catch (Throwable thrown) {
       failure = thrown;
     }
     finish(cause, release(failure));
+  }
+
+  /** Runs the warm-up. If {@link #stop} interrupts it, nothing after it is interrupted. */
+  private void warmUp() {
+    synchronized (warmUpLock) {
+      if (warmUpIsOver) {
+        return;
+      }
+      warmingUp = Thread.currentThread();
+    }
+    try {
+      settings.warmUp().run();
+    } finally {
+      synchronized (warmUpLock) {
+        warmingUp = null;
+        if (warmUpIsOver) {
+          Thread.interrupted();
+        }
+      }
+    }
+  }
+
+  private void endWarmUp() {
+    synchronized (warmUpLock) {
+      warmUpIsOver = true;
+      if (warmingUp != null) {
+        warmingUp.interrupt();
+      }
+    }
   }
 
   /** Sends zero force and returns the failure so far, with that of sending added to it. */
@@ -163,13 +200,14 @@ public final class HapticLoop implements AutoCloseable {
   /**
    * Stops the loop after its present frame and waits for the end. A second call does no harm.
    *
-   * <p>If the end does not come within {@code hangNanos}, the loop ends by force. A warm-up may
-   * take ten times as long.
+   * <p>If the end does not come within {@code hangNanos}, the loop ends by force. A warm-up is
+   * interrupted and may take ten times as long.
    *
    * @return how the loop ended, now or before
    */
   public LoopEnd stop() {
     pacedLoop.requestStop();
+    endWarmUp();
     if (thread.getState() == Thread.State.NEW) {
       finish(LoopEnd.Cause.STOPPED, null);
     }

@@ -8,7 +8,7 @@ package org.palpate.loop;
  * @param pacer waits for the deadlines
  * @param threadSetup prepares the haptic thread
  * @param warmUp runs in the haptic thread before its first frame, so that the first frames find
- *     compiled code; see {@link WarmUp}
+ *     compiled code; should end early if the thread is interrupted, see {@link WarmUp}
  * @param hangNanos time that may pass after the start of a frame before {@link
  *     HapticLoop#supervise} ends the session by force, positive
  */

@@ -12,7 +12,8 @@ import javax.management.ObjectName;
  *
  * <p>HotSpot lists the methods that it compiles and those that wait. A JVM without such a list says
  * how long it has compiled; its compiler counts as busy if that has grown since the last question.
- * One thread uses an instance.
+ * One thread uses an instance. The first question starts the JVM's management, which may take half
+ * a second.
  */
 final class SecondCompiler implements BooleanSupplier {
   private static final String COMMANDS = "com.sun.management:type=DiagnosticCommand";
@@ -24,12 +25,12 @@ final class SecondCompiler implements BooleanSupplier {
   private static final String WAITING = "C2 compile queue:";
   private static final String NONE = "Empty";
 
-  private final MBeanServer server = ManagementFactory.getPlatformMBeanServer();
   private long millisBefore;
 
   @Override
   public boolean getAsBoolean() {
     try {
+      MBeanServer server = ManagementFactory.getPlatformMBeanServer();
       return isBusy((String) server.invoke(new ObjectName(COMMANDS), LIST, null, null));
     } catch (JMException e) {
       return hasCompiledMore(); // This JVM has no such list.

@@ -66,7 +66,8 @@ public final class SteadyWarmUp {
   }
 
   /**
-   * Runs the frame in the calling thread until its time is steady or the limit is reached.
+   * Runs the frame in the calling thread until its time is steady or the limit is reached. If the
+   * thread is interrupted, it stops after the present batch; the thread stays interrupted.
    *
    * @param frame one frame
    * @param minFrames the least number of frames, because frames differ in what they do
@@ -77,7 +78,9 @@ public final class SteadyWarmUp {
     long start = clock.nanoTime();
     askedNanos = start;
     boolean steady = false;
-    while (!steady && clock.nanoTime() - start < limitNanos) {
+    while (!steady
+        && clock.nanoTime() - start < limitNanos
+        && !Thread.currentThread().isInterrupted()) {
       medians[batches % STEADY_BATCHES] = medianOfBatch(frame);
       batches++;
       askCompiler();

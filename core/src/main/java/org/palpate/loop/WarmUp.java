@@ -8,7 +8,8 @@ import org.palpate.frame.HapticFrame;
  * compiled code.
  *
  * <p>It drives a frame of its own: the same classes of solver and scene, a simulated device over
- * the same target, no publisher and no recorder. No person holds a device meanwhile.
+ * the same target, no publisher and no recorder. No person holds a device meanwhile. It ends early
+ * if the thread is interrupted.
  *
  * <pre>
  *   settings.withWarmUp(WarmUp.ofSession(rehearsal))

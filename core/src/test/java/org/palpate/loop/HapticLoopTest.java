@@ -334,6 +334,55 @@ class HapticLoopTest {
   }
 
   @Test
+  void stopEndsAWarmUpAndInterruptsNothingAfterIt() throws InterruptedException {
+    CountDownLatch warming = new CountDownLatch(1);
+    List<Boolean> interrupted = new ArrayList<>();
+    Runnable warmUp =
+        () -> {
+          SteadyWarmUp steady = new SteadyWarmUp(NanoClock.SYSTEM, () -> true, nanos -> {});
+          steady.run(warming::countDown, 0, Long.MAX_VALUE);
+        };
+    DeviceDecorator watched =
+        new DeviceDecorator(device) {
+          @Override
+          public boolean write(Vec3 forceNewton, Vec3 torqueNewtonMm) {
+            interrupted.add(Thread.currentThread().isInterrupted());
+            return super.write(forceNewton, torqueNewtonMm);
+          }
+        };
+    HapticLoop loop =
+        new HapticLoop(floor.frame(watched), settings().withWarmUp(warmUp), ends::add);
+    loop.start();
+    warming.await();
+    assertEquals(LoopEnd.Cause.STOPPED, loop.stop().cause());
+    assertEquals(List.of(false), interrupted, "zero force at the end");
+    assertEquals(0, device.closed);
+  }
+
+  @Test
+  void aWarmUpDoesNotBeginAfterAStop() throws InterruptedException {
+    CountDownLatch stopped = new CountDownLatch(1);
+    List<String> steps = new ArrayList<>();
+    ThreadSetup setup =
+        () -> {
+          awaitUninterruptibly(stopped);
+          return ThreadSetup.Granted.NOTHING;
+        };
+    LoopSettings settings = settings().with(clock, setup).withWarmUp(() -> steps.add("warm-up"));
+    HapticLoop loop = new HapticLoop(floor.frame(device), settings, ends::add);
+    loop.start();
+    Thread stopping = new Thread(loop::stop);
+    stopping.start();
+    while (stopping.getState() != Thread.State.TIMED_WAITING) {
+      Thread.onSpinWait();
+    }
+    stopped.countDown();
+    stopping.join();
+    assertEquals(LoopEnd.Cause.STOPPED, loop.end().cause());
+    assertEquals(List.of(), steps);
+  }
+
+  @Test
   void aLoopThatNeverStartedStopsAtOnce() {
     assertEquals(LoopEnd.Cause.STOPPED, loop().stop().cause());
     assertEquals(1, ends.size());
