@@ -18,9 +18,6 @@ import org.palpate.volume.fracture.PosedBits;
  * rough the voxels are.
  */
 public final class SmoothedBits {
-  /** The usual standard deviation of the Gaussian, voxels. */
-  private static final double SIGMA = 1.3;
-
   /** The voxels along an edge of the cube that the Gaussian covers. */
   private static final int WIDTH = 8;
 
@@ -59,11 +56,6 @@ public final class SmoothedBits {
 
   private double sum;
   private final Vec3 slope = new Vec3();
-
-  /** Prepares the occupancy of a fragment where it stands; the pose must not change. */
-  SmoothedBits(PosedBits fragment) {
-    this(fragment, SIGMA);
-  }
 
   /**
    * Prepares the occupancy of a fragment where it stands; the pose must not change.

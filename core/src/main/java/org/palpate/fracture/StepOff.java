@@ -10,11 +10,13 @@ import org.palpate.volume.fracture.PosedBits;
  * fitted by least squares. One thread an instance.
  *
  * <p>Each pair has a skin point p of the one fragment and a skin point q of the other. Both lie
- * some voxels from the fracture and equally far from it, so that it does not change the smoothed
- * skin. Let n be the direction half way between their normals. On a straight skin, and on a
- * circular one, (p - q) n is the component of the displacement along n. The step-off is the length
- * of the displacement that fits the pairs best; it is 0 for skins that continue each other. A
- * direction is left out if the normals hardly point along it.
+ * equally far from the fracture, and near it, so that a bone that bends looks like a step as little
+ * as can be. There the fracture changes the smoothed skin. So a skin lies where the occupancy is
+ * half of that deeper in the bone, see {@link FaceLine}, which the fracture lowers alike. Let n be
+ * the direction half way between their normals. On a straight skin, and on a circular one, (p - q)
+ * n is the component of the displacement along n. The step-off is the length of the displacement
+ * that fits the pairs best; it is 0 for skins that continue each other. A direction is left out if
+ * the normals hardly point along it.
  *
  * <p>Some pairs do not belong to one skin: walls of marrow spaces, and where a bone ends or
  * branches. Skins with a solid close above them are left out, and pairs that contradict the others
@@ -24,9 +26,18 @@ import org.palpate.volume.fracture.PosedBits;
  */
 final class StepOff {
   /** The distance of skin points from the fracture, voxel edges. */
-  private static final double NEAREST_EDGES = 3.5;
+  private static final double NEAREST_EDGES = 1.5;
 
-  private static final double FARTHEST_EDGES = 7;
+  private static final double FARTHEST_EDGES = 6;
+
+  /** The standard deviation of the smoothing, voxels. */
+  private static final double SIGMA = 1;
+
+  /** The depth under a skin of the occupancy that counts as full, voxel edges. */
+  private static final double DEEP_EDGES = 1;
+
+  /** The largest distance of a skin from the centre of its rim voxel, voxel edges. */
+  private static final double RIM_EDGES = 2;
 
   /** The largest step that is found, mm. */
   private static final double MOST_MM = 4;
@@ -65,6 +76,7 @@ final class StepOff {
   private final Vec3 across;
   private final double gapMm;
   private final double edgeMm;
+  private final FaceLine line;
   private final Vec3 u = new Vec3();
   private final Vec3 v = new Vec3();
   private final List<Pair> pairs = new ArrayList<>();
@@ -93,10 +105,11 @@ final class StepOff {
     this.one = one;
     this.across = across;
     this.gapMm = gapMm;
-    own = new SmoothedBits(one);
-    facing = new SmoothedBits(other);
+    own = new SmoothedBits(one, SIGMA);
+    facing = new SmoothedBits(other, SIGMA);
     Vec3 s = one.grid().spacingMm();
     edgeMm = Math.max(s.x, Math.max(s.y, s.z));
+    line = new FaceLine(edgeMm, DEEP_EDGES);
     Vec3 least = Math.abs(across.x) < 0.6 ? new Vec3(1, 0, 0) : new Vec3(0, 1, 0);
     across.cross(least, u);
     u.mul(1 / u.length(), u);
@@ -122,24 +135,36 @@ final class StepOff {
     }
     Vec3 normal = new Vec3();
     own.occupancy(rim, normal);
-    Vec3 p = new Vec3();
-    if (!isOpen(rim, normal) || !isFollowed(rim, depth, normal)) {
-      return;
-    }
-    if (Math.abs(normal.dot(across)) > SKIN_COSINE || !own.surface(rim, normal, MOST_MM, p)) {
-      return;
-    }
-    double beyond = 2 * depth + gapMm;
-    Vec3 start = p.add(across.mul(beyond, new Vec3()), new Vec3());
-    Vec3 q = new Vec3();
-    Vec3 otherNormal = new Vec3();
-    if (facing.surface(start, normal, MOST_MM, q)) {
-      facing.occupancy(q, otherNormal);
-      own.occupancy(p, normal);
-      if (normal.dot(otherNormal) >= SAME_SKIN_COSINE && isDeep(q, otherNormal)) {
-        addPair(p, q, normal, otherNormal);
+    if (isOpen(rim, normal) && isFollowed(rim, depth, normal) && findSkin(rim, normal)) {
+      Vec3 p = new Vec3().set(line.point());
+      Vec3 start = along(p, 2 * depth + gapMm, new Vec3());
+      if (findFace(facing, start, normal, MOST_MM)
+          && normal.dot(line.normal()) >= SAME_SKIN_COSINE
+          && isDeep(line.point(), line.normal())) {
+        addPair(p, line.point(), normal, line.normal());
       }
     }
+  }
+
+  /**
+   * Finds the skin at a rim voxel: along the normal there, and then along the normal of what was
+   * found.
+   *
+   * @param normal the outward normal at the voxel; receives that of the skin
+   */
+  private boolean findSkin(Vec3 rim, Vec3 normal) {
+    for (int round = 0; round < 2; round++) {
+      if (!findFace(own, rim, normal, RIM_EDGES * edgeMm)) {
+        return false;
+      }
+      normal.set(line.normal());
+    }
+    return Math.abs(normal.dot(across)) <= SKIN_COSINE;
+  }
+
+  /** Searches the face of a fragment on a line against an outward direction. */
+  private boolean findFace(SmoothedBits fragment, Vec3 start, Vec3 outward, double mostMm) {
+    return line.find(fragment, start, outward.mul(-1, new Vec3()), -mostMm, mostMm);
   }
 
   /** Returns the distance from a rim voxel to the fracture along its normal, mm; NaN if far. */

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.IntPredicate;
 import org.palpate.force.guide.FitTarget;
+import org.palpate.fracture.FaceLine;
 import org.palpate.fracture.SmoothedBits;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -66,7 +67,7 @@ public final class FaceFit {
   private static final double HALF_COUNTED_LOSS = 0.1;
 
   /** Distances that are farther apart than this are independent, voxel edges. */
-  private static final double INDEPENDENT_EDGES = 3.5 * FaceLine.SIGMA;
+  private static final double INDEPENDENT_EDGES = 3.5 * FragmentSurface.SIGMA;
 
   /** The least noise of a distance that is believed, voxel edges. */
   private static final double LEAST_NOISE_EDGES = 0.05;
@@ -114,7 +115,7 @@ public final class FaceFit {
     this.gapMm = gapMm;
     surfaces = new FragmentSurfaces(grids, fragments);
     edgeMm = surfaces.edgeMm();
-    line = new FaceLine(edgeMm);
+    line = surfaces.faceLine();
   }
 
   /**

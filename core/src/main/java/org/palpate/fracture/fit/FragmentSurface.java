@@ -21,6 +21,9 @@ import org.palpate.volume.fracture.PosedBits;
  */
 record FragmentSurface(
     List<Vec3> points, List<Vec3> normals, double areaMm2, Vec3 centroid, double leverMm) {
+  /** The standard deviation of the smoothing, voxels. */
+  static final double SIGMA = 0.6;
+
   /** The most points that are kept; of more, every second, third and so on. */
   private static final int MOST_POINTS = 60_000;
 
@@ -36,7 +39,7 @@ record FragmentSurface(
     double edgeMm = edgeMm(grid);
     double mostMm = MOST_EDGES * Math.max(spacing.x, Math.max(spacing.y, spacing.z));
     PosedBits atRest = new PosedBits(bits, grid, new Pose());
-    SmoothedBits smoothed = new SmoothedBits(atRest, FaceLine.SIGMA);
+    SmoothedBits smoothed = new SmoothedBits(atRest, SIGMA);
     List<Vec3> points = new ArrayList<>();
     List<Vec3> normals = new ArrayList<>();
     rim[0] = 0;

@@ -3,6 +3,7 @@ package org.palpate.fracture.fit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntPredicate;
+import org.palpate.fracture.FaceLine;
 import org.palpate.fracture.SmoothedBits;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
@@ -17,6 +18,9 @@ import org.palpate.volume.fracture.PosedBits;
 final class FragmentSurfaces {
   /** The longest distance between faces that face each other, mm. */
   static final double REACH_MM = 4;
+
+  /** The depth under a face of the occupancy that counts as full, voxel edges. */
+  private static final double DEEP_EDGES = 1.5;
 
   private static final double WALK_EDGES = 0.5;
 
@@ -46,6 +50,11 @@ final class FragmentSurfaces {
     return edgeMm;
   }
 
+  /** Returns searches of faces on lines across a fracture. */
+  FaceLine faceLine() {
+    return new FaceLine(edgeMm, DEEP_EDGES);
+  }
+
   /** Returns the surface of a fragment at rest. */
   FragmentSurface of(int fragment) {
     if (found[fragment] == null) {
@@ -58,7 +67,7 @@ final class FragmentSurfaces {
   SmoothedBits smoothed(int fragment, List<Pose> poses) {
     return new SmoothedBits(
         new PosedBits(fragments.get(fragment), grids.get(fragment), poses.get(fragment)),
-        FaceLine.SIGMA);
+        FragmentSurface.SIGMA);
   }
 
   /**

@@ -3,6 +3,7 @@ package org.palpate.fracture.fit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntPredicate;
+import org.palpate.fracture.FaceLine;
 import org.palpate.fracture.SmoothedBits;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
@@ -39,7 +40,7 @@ public final class GapMap {
    */
   public GapMap(List<VoxelGrid> grids, List<BitCube> fragments) {
     surfaces = new FragmentSurfaces(grids, fragments);
-    line = new FaceLine(surfaces.edgeMm());
+    line = surfaces.faceLine();
   }
 
   /**
