@@ -11,12 +11,15 @@ import org.junit.jupiter.api.Test;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.phantom.FracturePhantom;
 
 class PosedBitsTest {
+  private static final int TURNED_POSES = 40;
+
   private final SplittableRandom random = new SplittableRandom(Seeds.seed());
 
   @Test
@@ -149,6 +152,47 @@ class PosedBitsTest {
             .mapToLong(segment -> segment.bits().solidCount())
             .sum();
     assertEquals(whole.solidCount(), sum);
+  }
+
+  /**
+   * A turned bone gains and loses voxels at random along its surface of S voxel faces. The standard
+   * deviation is 0.26 sqrt(S) voxels: S / (8 pi^3) times the sum of 1 / k^4 over all points k of
+   * the lattice but 0.
+   */
+  @Test
+  void aTurnedBoneChangesItsVolumeByAsMuchAsItsSurfaceExplains() {
+    FracturePhantom phantom = new FracturePhantom(96, new FractureSpec(4, 1, 0));
+    BitCube bone = phantom.bone();
+    double expected = 0.26 * Math.sqrt(faces(bone));
+    double sum = 0;
+    double squares = 0;
+    for (int n = 0; n < TURNED_POSES; n++) {
+      PosedBits turned = new PosedBits(bone, phantom.grid(), RandomGeometry.pose(random, 3));
+      VoxelGrid target = PosedBits.gridAround(List.of(turned), phantom.grid());
+      BitCube found = PosedBits.resample(List.of(turned), target).get(0);
+      double change = found.solidCount() - bone.solidCount();
+      sum += change / TURNED_POSES;
+      squares += change * change / TURNED_POSES;
+      assertEquals(0, change, 5 * expected);
+    }
+    double rms = Math.sqrt(squares);
+    String text = "rms change " + rms + ", mean " + sum + ", expected " + expected + " voxels";
+    assertTrue(rms > 0.5 * expected && rms < 1.5 * expected, text);
+    assertEquals(0, sum, 5 * expected / Math.sqrt(TURNED_POSES), text);
+  }
+
+  /** Counts the faces between solid voxels and empty ones. */
+  private static int faces(BitCube bits) {
+    int[] faces = new int[1];
+    bits.forEachRimVoxel(
+        (i, j, k) -> {
+          for (int side = -1; side <= 1; side += 2) {
+            faces[0] += bits.get(i + side, j, k) ? 0 : 1;
+            faces[0] += bits.get(i, j + side, k) ? 0 : 1;
+            faces[0] += bits.get(i, j, k + side) ? 0 : 1;
+          }
+        });
+    return faces[0];
   }
 
   private Pose pose() {
