@@ -3,6 +3,7 @@ package org.palpate.loop;
 import java.lang.management.CompilationMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.function.BooleanSupplier;
+import java.util.regex.Pattern;
 import javax.management.JMException;
 import javax.management.MBeanServer;
 import javax.management.ObjectName;
@@ -10,20 +11,20 @@ import javax.management.ObjectName;
 /**
  * Tells whether the JVM's second compiler, which makes the fast code, still has work.
  *
- * <p>HotSpot lists the methods that it compiles and those that wait. A JVM without such a list says
- * how long it has compiled; its compiler counts as busy if that has grown since the last question.
- * One thread uses an instance. The first question starts the JVM's management, which may take half
- * a second.
+ * <p>HotSpot lists the methods that it compiles and those that wait. Its second compiler is C2, or
+ * Graal behind the name JVMCI. A JVM without such a list says how long it has compiled; its
+ * compiler counts as busy if that has grown since the last question. One thread uses an instance.
+ * The first question starts the JVM's management, which may take half a second.
  */
 final class SecondCompiler implements BooleanSupplier {
   private static final String COMMANDS = "com.sun.management:type=DiagnosticCommand";
   private static final String LIST = "compilerQueue";
 
-  /** The name of a thread of this compiler, which the list prints before the method at work. */
-  private static final String AT_WORK = "C2 CompilerThread";
+  /** A thread of this compiler, which the list prints before the method at work. */
+  private static final String AT_WORK = "(C2|JVMCI|JVMCI-native) CompilerThread";
 
-  private static final String WAITING = "C2 compile queue:";
-  private static final String NONE = "Empty";
+  private static final String WAITING = "(C2|JVMCI) compile queue:\\s*+(?!Empty)";
+  private static final Pattern BUSY = Pattern.compile(AT_WORK + "|" + WAITING);
 
   private long millisBefore;
 
@@ -39,10 +40,7 @@ final class SecondCompiler implements BooleanSupplier {
 
   /** Returns whether a list names a method that the second compiler compiles or shall compile. */
   static boolean isBusy(String list) {
-    int waiting = list.indexOf(WAITING);
-    boolean noneWaits =
-        waiting < 0 || list.substring(waiting + WAITING.length()).stripLeading().startsWith(NONE);
-    return list.contains(AT_WORK) || !noneWaits;
+    return BUSY.matcher(list).find();
   }
 
   private boolean hasCompiledMore() {

@@ -3,6 +3,7 @@ package org.palpate.loop;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -27,6 +28,18 @@ class SecondCompilerTest {
   void isBusyWhileAMethodWaits() {
     assertTrue(
         SecondCompiler.isBusy("Current compiles: \n\n" + FIRST + EMPTY + SECOND + WORK + "\n"));
+  }
+
+  @Test
+  void graalIsASecondCompilerToo() {
+    String second = "JVMCI compile queue:\n";
+    String idle = "Current compiles: \n\n" + FIRST + EMPTY + second;
+    assertTrue(SecondCompiler.isBusy(idle + WORK + "\n"));
+    assertFalse(SecondCompiler.isBusy(idle + EMPTY));
+    for (String name : List.of("JVMCI", "JVMCI-native")) {
+      String current = "Current compiles: \n" + name + " CompilerThread0  " + WORK + "\n";
+      assertTrue(SecondCompiler.isBusy(current + FIRST + EMPTY + second + EMPTY));
+    }
   }
 
   @Test
