@@ -205,9 +205,10 @@ public final class GlobalFit {
   private List<FitCandidate> search(int fragment, int other, Pose start) {
     FragmentSurface surface = surfaces.of(fragment);
     Junction junction = new Junction(surface, cells(other), edgeMm, gapMm);
-    List<FitCandidate> found = new ArrayList<>();
-    for (boolean isSharp : new boolean[] {true, false}) {
-      List<FitCandidate> laid = lay(fragment, other, isSharp, start, junction);
+    List<FitCandidate> laid = lay(fragment, other, true, start, junction);
+    List<FitCandidate> found = new ArrayList<>(different(laid, surface, KEPT));
+    if (!rim(fragment).isSharp() || !rim(other).isSharp()) { // Or it would lay the same poses.
+      laid = lay(fragment, other, false, start, junction);
       found.addAll(different(laid, surface, KEPT));
     }
     int[] read = spread(surface.points().size(), POINTS);

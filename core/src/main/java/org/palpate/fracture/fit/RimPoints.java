@@ -75,6 +75,11 @@ final class RimPoints {
     return sharp;
   }
 
+  /** Whether all points are on sharp rims, as on a large fragment. */
+  boolean isSharp() {
+    return sharp == size();
+  }
+
   /** Returns a point with its frame. */
   Frame frame(int n) {
     return rated.get(n).frame;
