@@ -68,7 +68,7 @@ public record FracturePhantom(int edge, FractureSpec fracture) {
       throw new SpecificationException(
           "phantom edge is not a number", spec, "write fracture[:EDGE[:PARTS[:SEED[:KERF]]]]");
     }
-    if (!spec.matches(NAME + "(:[0-9]{1,9}){0,2}(:[0-9]{1,18}(:[0-9]{1,9})?)?")) {
+    if (!spec.matches(NAME + "(:[0-9]{1,9}(:[0-9]{1,9}(:[0-9]{1,18}(:[0-9]{1,9})?)?)?)?")) {
       throw new SpecificationException(
           "phantom fracture not understood",
           spec,

@@ -87,7 +87,9 @@ class BlockAndFracturePhantomTest {
     assertEquals("phantom edge out of range: edge=63: choose 64 to 1024", refusal("fracture:63"));
     assertEquals(
         "phantom edge out of range: edge=1025: choose 64 to 1024", refusal("fracture:1025"));
-    for (String wrong : List.of("fracture:64:4:1:1:1", "fracture:64:x", "fracture:64:4:-1")) {
+    for (String wrong :
+        List.of(
+            "fracture:64:4:1:1:1", "fracture:64:x", "fracture:64:4:-1", "fracture:64:1234567890")) {
       assertEquals(
           "phantom fracture not understood: "
               + wrong

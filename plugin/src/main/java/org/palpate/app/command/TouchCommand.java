@@ -320,7 +320,7 @@ public final class TouchCommand implements Callable<Integer> {
         choice.device().isSimulated()
             && source.placed().filter(PlacedVolume::isDisplaced).isPresent();
     if (reduces) {
-      out.println("plans how a simulated hand puts the fragments back ...");
+      out.println("planning how a simulated hand puts the fragments back ...");
       out.flush();
     }
     HapticDevice opened =

@@ -164,7 +164,7 @@ public final class ContactOptions {
   @Option(
       names = "--max-force",
       paramLabel = "N",
-      description = "Largest force. Default: the device's maximum; a replay has none.")
+      description = "Largest force. Default: the device's maximum; in a replay, no limit.")
   private Double maxForce;
 
   /**

@@ -33,7 +33,7 @@ public final class EffectOptions {
         "Adds an effect; may be repeated: viscosity:NS/MM (resists every motion), magnet:NAME,N,MM"
             + " (draws to a segment from MM on, with N at most), stickslip:N (sticks to surfaces up"
             + " to N), vibration:HZ,N (shakes in contact), texture:MM (bumps where grey values"
-            + " vary; MM is the height of one as large as the step at the surface)."
+            + " vary; a variation as large as the step at the surface makes a bump of MM)."
       })
   private List<String> effects = List.of();
 
