@@ -23,9 +23,10 @@ import org.palpate.rigid.tool.RigidTool;
  * of several comes first. Those that the fracture left in the place of another come last, so that
  * the hand has less to clear.
  *
- * <p>A fragment comes out if a hand that trembles has led it home again each time that it tried.
- * Only if there is none, one comes out that arrived less often, or by random pulls. If none comes
- * out at all, the one that came least far is given up and taken away.
+ * <p>First those fragments come out that a trembling hand has led home again in every rehearsal. If
+ * there is none, the one comes out that arrived most often. If none arrived at all, random pulls
+ * are tried too, and one comes out that arrives on such a way, or else any that comes out. If none
+ * comes out, the one that came least far is given up and taken away.
  */
 public final class Disassembly {
   /** The most sample points of a fragment at which the start of a pull is sought. */

@@ -14,7 +14,9 @@ import org.palpate.volume.BitCube;
  * sample points with the voxels, so it may miss a thin contact. World mm. One thread.
  */
 final class FragmentPlaces {
-  /** Fragments meet if a point is that near to a voxel along an axis of its grid, voxels. */
+  /**
+   * Fragments meet if a point is at most so far from a voxel, along an axis of its grid, voxels.
+   */
   private static final int NEAR_VOXELS = 1;
 
   private final BodyScene bodies;
@@ -35,7 +37,7 @@ final class FragmentPlaces {
     return lieIn(fragment, pose, other, otherPose) || lieIn(other, otherPose, fragment, pose);
   }
 
-  /** Returns the largest distance of a body where it is now from a point. */
+  /** Returns the distance from a point to the farthest point of a body where it is now, mm. */
   double farthestMm(int body, Vec3 from) {
     double farMm = 0;
     for (Vec3 point : ReductionPlan.points(shapes.get(body), bodies.body(body).pose())) {

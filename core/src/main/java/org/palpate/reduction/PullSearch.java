@@ -170,7 +170,7 @@ public final class PullSearch {
    * @param fragment its index
    * @param first the direction that comes first, a unit vector
    * @param reachMm the distance from its place at which it is out
-   * @param most the most ways; as many without a detour end the search
+   * @param most the most ways; the search ends once so many lead out without a detour
    * @return the ways out in different directions, that with the least detour first; it is back in
    *     its place
    */

@@ -26,7 +26,7 @@ import org.palpate.rigid.tool.ToolSampler;
  * <p>World mm; poses are rest to present. One thread.
  */
 final class Rehearsal {
-  /** A fragment has arrived at that distance from its place, in the kinetic metric, edges. */
+  /** A fragment has arrived within this distance from its place, in the kinetic metric, edges. */
   private static final double ARRIVED_EDGES = 0.3;
 
   /** The number of times that a way is rehearsed on which a fragment arrives. */
@@ -71,10 +71,11 @@ final class Rehearsal {
   }
 
   /**
-   * Returns the share of the rehearsals of a way in which the fragment arrives before the first in
-   * which it does not. Without frames left it is 1.
+   * Rehearses a way until the fragment does not arrive, {@value #TIMES} times at most. Once the
+   * frames of all rehearsals are spent, it rehearses nothing, and the fragment counts as arrived.
    *
    * @param found from the place of the fragment to where it is out
+   * @return the number of times that the fragment arrived, over {@value #TIMES}
    */
   double arrivals(int fragment, List<Pose> found) {
     if (hands[fragment] == null) {
@@ -96,7 +97,8 @@ final class Rehearsal {
     Pose toHand = new Pose();
     solver.shape().referenceMm(toHand.translation);
     List<HandStop> stops = new ArrayList<>();
-    stops.add(new HandStop(way.out().multiply(toHand, new Pose()), 1, 0, false));
+    stops.add(
+        new HandStop(way.out().multiply(toHand, new Pose()), DeviceState.FIRST_BUTTON, 0, false));
     way.addTo(stops, toHand, body::pose, TRIES, 1, 1);
     Tremor tremor = new Tremor(TREMOR_MM, TREMOR_RAD, TREMOR_HZ, seed);
     GuidedHand hand = new GuidedHand(stops, tremor, REACH_MM, FRAME_NANOS);
