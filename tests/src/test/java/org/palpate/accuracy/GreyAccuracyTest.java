@@ -62,10 +62,10 @@ class GreyAccuracyTest {
     "3, plane, 0.2, 0.5, 0.01, 0.02",
     "3, sphere, 0.25, 1.2, 0.03, 0.02",
     "3, torus, 0.45, 1.4, 0.03, 0.02",
-    "5, plane, 0.6, 1.4, 0.02, 0.02",
-    "5, sphere, 0.65, 2.2, 0.03, 0.02",
-    "5, torus, 0.75, 2.4, 0.03, 0.02",
-    "10, plane, 0.4, 0.8, 0.02, 0.03"
+    "5, plane, 0.18, 0.45, 0.01, 0.02",
+    "5, sphere, 0.25, 1.2, 0.03, 0.02",
+    "5, torus, 0.45, 1.6, 0.04, 0.02",
+    "10, plane, 0.2, 0.6, 0.02, 0.04"
   })
   void slicesFartherApartThanPixelsHardlyTiltTheForce(
       double ratio, String shape, double rms, double worst, double heightStd, double lagOff) {

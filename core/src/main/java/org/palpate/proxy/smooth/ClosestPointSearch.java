@@ -10,16 +10,22 @@ import org.palpate.proxy.smooth.field.SeedCell;
  * Finds the point of the isosurface that is closest to the device, by Newton's method with the
  * curvature from the Hessian. Iterates are virtual: nothing moves.
  *
+ * <p>If the isosurface is far from the solid, the search visits a nearer level first, because the
+ * field shows directions better there, see {@link IsoLevel#isFar}. The point found then lies on the
+ * isosurface, on the normal of the point that was visited last; so the line from it to the device
+ * has the direction of that normal. Where the two levels do not run side by side, as over wires and
+ * thin walls that the nearer one does not show, the isosurface is searched itself.
+ *
  * <p>An iteration solves (I - depth K) t = u in the tangent plane, where K is the curvature of the
- * isosurface and u the tangential part of the vector to the device. It drops along the normal by
- * the height above the isosurface and by t K t / 2. Near a centre of curvature Newton's method
- * overshoots; an iteration that gains little halves the ones that follow.
+ * level and u the tangential part of the vector to the device. It drops along the normal by the
+ * height above the level and by t K t / 2. Near a centre of curvature Newton's method overshoots;
+ * an iteration that gains little halves the ones that follow.
  *
  * <p>References: the god object, Zilles and Salisbury 1995; proxies on implicit surfaces, Salisbury
  * and Tarr 1997; on volumes, Chan et al. 2011.
  *
  * <p>Lengths are in shortest voxel edges. Belongs to the haptic thread; allocates nothing. Cost: up
- * to 13 evaluations of the field.
+ * to 13 evaluations of the field; with a nearer level up to 28.
  */
 final class ClosestPointSearch {
   /** The outcome of a search. */
@@ -81,17 +87,52 @@ final class ClosestPointSearch {
 
   private static final double MAX_COUPLING_SQUARE = 0.8 * 0.8;
 
+  /**
+   * The greatest height, above or below the isosurface, of a point that the nearer level puts onto
+   * it. If it is greater, the levels have different shapes.
+   */
+  private static final double MAX_HEIGHT_EDGES = 0.35;
+
+  /**
+   * The height that is left to such a point. On a plane the field is a little off the profile that
+   * {@link IsoLevel} assumes; if that were taken off, the next search would not begin on the nearer
+   * level, and would need one more iteration.
+   */
+  private static final double HEIGHT_LEFT_EDGES = 0.15;
+
   private final OccupancyField field;
   private final FieldSample sample;
+  private final IsoLevel level;
   private final EdgeUnits units;
   private final WindowBudget budget;
   private final Vec3 voxelsPerEdge;
   private final double maxDepthEdges;
+
+  /** The point at which the iterations began. */
+  private final Vec3 begin = new Vec3();
+
   private final Vec3 visited = new Vec3();
+
+  /** The point of the isosurface over the visited one, and the normal of that one. */
+  private final Vec3 found = new Vec3();
+
+  private final Vec3 foundNormal = new Vec3();
   private final Vec3 toDevice = new Vec3();
   private final Vec3 tangent = new Vec3();
   private final Vec3 step = new Vec3();
+
+  /** The height of the visited point above the level that the search visits. */
+  private double height;
+
+  /** Whether that level is the nearer one, and how far the isosurface runs outside it. */
+  private boolean visitsNearLevel;
+
+  private double rise;
+
+  /** The depth of the device below that level, as its tangent plane approximates it. */
   private double depth;
+
+  private boolean hasLeftStart;
 
   /** The square of the tangential distance from the visited point to the device. */
   private double offsetSquare;
@@ -101,35 +142,93 @@ final class ClosestPointSearch {
     this.units = units;
     this.budget = budget;
     sample = field.sample();
-    double moreOffset = field.level().mostOffsetEdges() - IsoLevel.OFFSET_OF_CUBES_EDGES;
+    level = field.level();
+    double moreOffset = level.mostOffsetEdges() - IsoLevel.OFFSET_OF_CUBES_EDGES;
     maxDepthEdges = MAX_DEPTH_EDGES + MAX_DEPTH_GROWTH * moreOffset;
     voxelsPerEdge = new Vec3(1 / units.x(), 1 / units.y(), 1 / units.z());
   }
 
-  /** Returns the point that was visited last, grid coordinates, not to be changed. */
-  Vec3 visited() {
-    return visited;
+  /** Returns the point found, on the isosurface; grid coordinates, not to be changed. */
+  Vec3 found() {
+    return found;
   }
 
-  /** Returns the outward unit normal there, until the field is evaluated again. */
+  /** Whether the search has gone on from its start. */
+  boolean hasLeftStart() {
+    return hasLeftStart;
+  }
+
+  /** Returns the outward unit normal there, not to be changed. */
   Vec3 normal() {
-    return sample.normal();
+    return foundNormal;
   }
 
   /**
-   * Searches for the point closest to the device. Afterwards the field stands at {@link #visited}.
+   * Searches for the point closest to the device.
    *
    * @param seed the cell from which empty space is reached
-   * @param start where the search begins
+   * @param start where the search begins, on the isosurface or near it
    */
   Outcome search(SeedCell seed, Vec3 start, Vec3 device) {
+    hasLeftStart = false;
+    if (level.isFar() && !budget.isOverdrawn()) {
+      beginOnNearLevel(seed, start);
+      Outcome outcome = searchLevel(seed, device);
+      if (outcome != Outcome.NO_SURFACE && (findOnIsosurface(seed) || budget.isOverdrawn())) {
+        return outcome;
+      }
+    }
+    hasLeftStart = false;
+    visitsNearLevel = false;
+    rise = 0;
     visited.set(start);
+    begin.set(start);
+    Outcome outcome = searchLevel(seed, device);
+    found.set(visited);
+    foundNormal.set(sample.normal());
+    return outcome;
+  }
+
+  /** Begins as far below a start as the nearer level runs below the isosurface. */
+  private void beginOnNearLevel(SeedCell seed, Vec3 start) {
+    visitsNearLevel = true;
+    visited.set(start);
+    field.evaluate(seed, start);
+    if (sample.hasNormal()) {
+      double below = level.aboveNearLevelEdges(sample.normal());
+      units.offset(start, -below, sample.normal(), visited);
+    }
+    begin.set(visited);
+  }
+
+  /**
+   * Goes up along the normal from the point that was visited last to the isosurface.
+   *
+   * @return whether the isosurface runs about where the nearer level says
+   */
+  private boolean findOnIsosurface(SeedCell seed) {
+    foundNormal.set(sample.normal());
+    units.offset(visited, rise, foundNormal, found);
+    field.evaluate(seed, found);
+    if (!sample.hasNormal()) {
+      return false;
+    }
+    double above = sample.heightEdges();
+    double excess = above - clamp(above, HEIGHT_LEFT_EDGES);
+    if (excess != 0) {
+      units.offset(visited, rise - excess, foundNormal, found);
+    }
+    return Math.abs(above) <= MAX_HEIGHT_EDGES;
+  }
+
+  /** Searches the level for the point closest to the device, from where the search begins. */
+  private Outcome searchLevel(SeedCell seed, Vec3 device) {
     double damping = 1;
     double lastSquare = Double.POSITIVE_INFINITY;
     double toleranceSquare = 0;
     for (int n = 0; n < MAX_ITERATIONS; n++) {
       visit(seed, device);
-      if (!sample.hasNormal() || sample.heightEdges() < -maxDepthEdges) {
+      if (!sample.hasNormal() || height < -maxDepthEdges) {
         return Outcome.NO_SURFACE;
       }
       if (!isDeviceBelow()) {
@@ -146,7 +245,7 @@ final class ClosestPointSearch {
       }
       lastSquare = offsetSquare;
       findStep(damping);
-      if (n > 0 && (isOutOfBudget() || leavesReach(start))) {
+      if (n > 0 && (isOutOfBudget() || leavesReach())) {
         return Outcome.UNFINISHED;
       }
       takeStep();
@@ -159,7 +258,17 @@ final class ClosestPointSearch {
   private void visit(SeedCell seed, Vec3 device) {
     field.evaluate(seed, visited);
     if (sample.hasNormal()) {
+      findHeight();
       project(device);
+    }
+  }
+
+  private void findHeight() {
+    if (visitsNearLevel) {
+      rise = level.aboveNearLevelEdges(sample.normal());
+      height = (level.nearOccupancy(sample.normal()) - sample.occupancy()) * sample.inverseSlope();
+    } else {
+      height = sample.heightEdges();
     }
   }
 
@@ -168,7 +277,7 @@ final class ClosestPointSearch {
     Vec3 normal = sample.normal();
     units.vector(visited, device, toDevice);
     double along = toDevice.dot(normal);
-    depth = -along - sample.heightEdges();
+    depth = -along - height;
     tangent.set(
         toDevice.x - along * normal.x,
         toDevice.y - along * normal.y,
@@ -178,11 +287,10 @@ final class ClosestPointSearch {
 
   /** Whether the device lies below the isosurface, as the tangent plane approximates it. */
   private boolean isDeviceBelow() {
-    return depth > 0;
+    return depth + rise > 0;
   }
 
   private boolean isWithin(double toleranceSquare) {
-    double height = sample.heightEdges();
     return offsetSquare <= toleranceSquare && height * height <= toleranceSquare;
   }
 
@@ -196,14 +304,15 @@ final class ClosestPointSearch {
         && (offsetSquare > NEARLY_DONE_EDGES * NEARLY_DONE_EDGES || budget.isOverdrawn());
   }
 
-  private boolean leavesReach(Vec3 start) {
-    double x = (visited.x - start.x) * units.x() + step.x;
-    double y = (visited.y - start.y) * units.y() + step.y;
-    double z = (visited.z - start.z) * units.z() + step.z;
+  private boolean leavesReach() {
+    double x = (visited.x - begin.x) * units.x() + step.x;
+    double y = (visited.y - begin.y) * units.y() + step.y;
+    double z = (visited.z - begin.z) * units.z() + step.z;
     return x * x + y * y + z * z > REACH_EDGES * REACH_EDGES;
   }
 
   private void takeStep() {
+    hasLeftStart = true;
     visited.set(
         visited.x + step.x * voxelsPerEdge.x,
         visited.y + step.y * voxelsPerEdge.y,
@@ -219,8 +328,7 @@ final class ClosestPointSearch {
       step.set(0, 0, 0);
     }
     Vec3 normal = sample.normal();
-    double drop =
-        -clamp(sample.heightEdges(), MAX_DROP_EDGES) - clamp(curvedDrop, MAX_CURVED_DROP_EDGES);
+    double drop = -clamp(height, MAX_DROP_EDGES) - clamp(curvedDrop, MAX_CURVED_DROP_EDGES);
     step.set(step.x + drop * normal.x, step.y + drop * normal.y, step.z + drop * normal.z);
   }
 

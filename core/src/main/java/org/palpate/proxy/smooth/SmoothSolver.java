@@ -106,11 +106,12 @@ public final class SmoothSolver implements ProxySolver {
     this(metric, maxStepMm, OccupancyField.ofGrey(metric, grey));
   }
 
-  private SmoothSolver(GridMetric metric, double maxStepMm, OccupancyField field) {
+  private SmoothSolver(GridMetric metric, double maxStepMm, OccupancyField given) {
     if (!(maxStepMm > 0)) {
       throw new IllegalArgumentException("maxStepMm must be positive: maxStepMm=" + maxStepMm);
     }
-    this.field = field;
+    // Far from the solid, each frame evaluates the field at two distances in turn.
+    field = given.level().isFar() ? given.forManyPlaces() : given;
     EdgeUnits units = new EdgeUnits(metric);
     shortestMm = units.shortestMm();
     budget = new WindowBudget(field);

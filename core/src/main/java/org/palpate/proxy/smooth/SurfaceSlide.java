@@ -84,10 +84,10 @@ final class SurfaceSlide {
     if (outcome == Outcome.NO_SURFACE) {
       return false;
     }
-    if (outcome == Outcome.OUTSIDE && search.visited().sameBits(point)) {
+    if (outcome == Outcome.OUTSIDE && !search.hasLeftStart()) {
       return leaveSurface(device);
     }
-    boolean moved = liftedMotion.moveTo(search.visited(), search.normal());
+    boolean moved = liftedMotion.moveTo(search.found(), search.normal());
     return moved && outcome != Outcome.CONVERGED;
   }
 
@@ -115,7 +115,7 @@ final class SurfaceSlide {
     seed.set(point);
     Outcome outcome = search.search(seed, device, device);
     if (outcome == Outcome.CONVERGED) {
-      liftedMotion.moveTo(search.visited(), search.normal());
+      liftedMotion.moveTo(search.found(), search.normal());
     }
   }
 

@@ -71,7 +71,7 @@ class ClosestPointSearchTest {
       budget.beginFrame();
       Outcome outcome = search.search(seed, start, device);
       evaluations += field.sample().evaluation() - before;
-      assertTrue(units.distance(start, search.visited()) <= ClosestPointSearch.REACH_EDGES);
+      assertTrue(units.distance(start, search.found()) <= ClosestPointSearch.REACH_EDGES);
       if (outcome == Outcome.CONVERGED) {
         converged++;
         double offset = offset(device);
@@ -90,7 +90,7 @@ class ClosestPointSearchTest {
   /** Returns how far the device lies beside the normal at the visited point, in edges. */
   private double offset(Vec3 device) {
     Vec3 toDevice = new Vec3();
-    units.vector(search.visited(), device, toDevice);
+    units.vector(search.found(), device, toDevice);
     Vec3 normal = search.normal();
     return toDevice.sub(normal.mul(toDevice.dot(normal), new Vec3()), toDevice).length();
   }
@@ -109,7 +109,7 @@ class ClosestPointSearchTest {
       seed.set(start);
       budget.beginFrame();
       Outcome outcome = search.search(seed, start, device);
-      double distance = units.distance(start, search.visited());
+      double distance = units.distance(start, search.found());
       assertTrue(distance <= ClosestPointSearch.REACH_EDGES * (1 + 1e-12), "distance " + distance);
       unfinished += outcome == Outcome.UNFINISHED ? 1 : 0;
       farthest = Math.max(farthest, distance);
@@ -125,7 +125,7 @@ class ClosestPointSearchTest {
     budget.beginFrame();
     Vec3 above = new Vec3(17, 15, Floor.TOP + 2.5);
     assertEquals(Outcome.OUTSIDE, search.search(seed.set(start), start, above));
-    assertTrue(search.visited().sameBits(start));
+    assertTrue(search.found().sameBits(start));
   }
 
   @Test
@@ -150,9 +150,9 @@ class ClosestPointSearchTest {
       Vec3 device = new Vec3(17.3, 14.9, 6.5);
       budget.beginFrame();
       assertEquals(Outcome.CONVERGED, search.search(seed.set(new Vec3(16, 16, 12)), start, device));
-      assertEquals(device.x, search.visited().x, 0.014);
-      assertEquals(device.y, search.visited().y, 0.014);
-      assertEquals(surface, search.visited().z, 0.03);
+      assertEquals(device.x, search.found().x, 0.014);
+      assertEquals(device.y, search.found().y, 0.014);
+      assertEquals(surface, search.found().z, 0.03);
     }
   }
 

@@ -22,6 +22,9 @@ public final class IsoLevel {
   /** The distance of the isosurface from a plane of solid, outside it, if voxels are cubes. */
   public static final double OFFSET_OF_CUBES_EDGES = OFFSET_FRACTION * Math.sqrt(3) / 2;
 
+  /** The offset, in standard deviations, of the level nearer to the solid. */
+  private static final double NEAR_DEVIATIONS = 1.05;
+
   /** The width, over the kernel's, of the Gaussian whose profile is as steep in the middle. */
   private static final double MIDDLE_WIDENING = 1.04;
 
@@ -49,6 +52,7 @@ public final class IsoLevel {
   private final double offsetY;
   private final double offsetZ;
   private final boolean isUniform;
+  private final boolean isFar;
   private final double occupancy;
 
   /**
@@ -57,8 +61,9 @@ public final class IsoLevel {
    * @param edges the edges of a voxel along x, y and z, in shortest edges
    * @param maxDeviations the greatest offset, in standard deviations of the smoothing; farther out
    *     the field would be nearly flat
+   * @param farDeviations the offset beyond which the isosurface counts as far, see {@link #isFar}
    */
-  IsoLevel(CoefficientSource source, Vec3 edges, double maxDeviations) {
+  IsoLevel(CoefficientSource source, Vec3 edges, double maxDeviations, double farDeviations) {
     varianceX = variance(source.sigmaEdges(0));
     varianceY = variance(source.sigmaEdges(1));
     varianceZ = variance(source.sigmaEdges(2));
@@ -69,6 +74,10 @@ public final class IsoLevel {
     offsetX = Math.min(wanted, maxDeviations * Math.sqrt(varianceX));
     offsetY = Math.min(wanted, maxDeviations * Math.sqrt(varianceY));
     offsetZ = Math.min(wanted, maxDeviations * Math.sqrt(varianceZ));
+    isFar =
+        offsetX > farDeviations * Math.sqrt(varianceX)
+            || offsetY > farDeviations * Math.sqrt(varianceY)
+            || offsetZ > farDeviations * Math.sqrt(varianceZ);
     isUniform = offsetX == offsetY && offsetX == offsetZ;
     occupancy = tail(offsetX / sigma);
   }
@@ -106,6 +115,32 @@ public final class IsoLevel {
    */
   public double occupancy(Vec3 normal) {
     return isotropic ? occupancy : tail(offsetEdges(normal) / sigma(normal));
+  }
+
+  /**
+   * {@return whether the isosurface is so far from the solid that the field is nearly flat there,
+   * and that directions are better found on the level nearer to the solid}
+   */
+  public boolean isFar() {
+    return isFar;
+  }
+
+  /**
+   * {@return how far the isosurface lies above the nearer level, in edges}
+   *
+   * @param normal the outward unit normal, along the axes of the grid
+   */
+  public double aboveNearLevelEdges(Vec3 normal) {
+    return Math.max(0, offsetEdges(normal) - NEAR_DEVIATIONS * sigma(normal));
+  }
+
+  /**
+   * {@return the occupancy on the nearer level where its normal has a direction}
+   *
+   * @param normal the outward unit normal, along the axes of the grid
+   */
+  public double nearOccupancy(Vec3 normal) {
+    return tail(Math.min(NEAR_DEVIATIONS, offsetEdges(normal) / sigma(normal)));
   }
 
   /**

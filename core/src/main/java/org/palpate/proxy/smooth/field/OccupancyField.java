@@ -40,6 +40,12 @@ public final class OccupancyField {
   /** The same for grey values, whose smoothing is narrower. */
   private static final double MAX_DEVIATIONS_OF_GREY = 1.7;
 
+  /** From bits no isosurface is far: nearer levels show more of the steps between long voxels. */
+  private static final double FAR_DEVIATIONS_OF_BITS = Double.POSITIVE_INFINITY;
+
+  /** The offset beyond which the isosurface of grey values is far, see {@link IsoLevel#isFar}. */
+  private static final double FAR_DEVIATIONS_OF_GREY = 1.4;
+
   private final BrickSource cells;
   private final CoefficientSource source;
   private final BrickCopy.Ahead bricksAhead;
@@ -78,13 +84,15 @@ public final class OccupancyField {
    * @param cells gives their bits
    * @param edges the edges of a voxel along x, y and z, in shortest edges: at least 1
    * @param maxDeviations the greatest offset of the isosurface, see {@link IsoLevel}
+   * @param farDeviations the offset beyond which it is far, see {@link IsoLevel}
    */
   private OccupancyField(
       ThinGrid grid,
       BrickSource cells,
       CoefficientSource source,
       Vec3 edges,
-      double maxDeviations) {
+      double maxDeviations,
+      double farDeviations) {
     this.cells = cells;
     this.source = source;
     bricksAhead = new BrickCopy.Ahead(cells);
@@ -94,7 +102,7 @@ public final class OccupancyField {
     inverseX = cellsX / edges.x;
     inverseY = cellsY / edges.y;
     inverseZ = cellsZ / edges.z;
-    level = new IsoLevel(source, edges, maxDeviations);
+    level = new IsoLevel(source, edges, maxDeviations, farDeviations);
     sample = new FieldSample(level);
   }
 
@@ -164,7 +172,8 @@ public final class OccupancyField {
         cells,
         new BinaryCoefficientSource(kernel, window, corrections),
         edges,
-        MAX_DEVIATIONS_OF_BITS);
+        MAX_DEVIATIONS_OF_BITS,
+        FAR_DEVIATIONS_OF_BITS);
   }
 
   /**
@@ -184,7 +193,8 @@ public final class OccupancyField {
         cells,
         new GreyCoefficientSource(kernel, grid, cells, window, grey),
         edges,
-        MAX_DEVIATIONS_OF_GREY);
+        MAX_DEVIATIONS_OF_GREY,
+        FAR_DEVIATIONS_OF_GREY);
   }
 
   /** Returns the thin slices of a grid, or null if its cells are voxels. */
