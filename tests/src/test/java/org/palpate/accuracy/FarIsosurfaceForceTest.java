@@ -61,7 +61,7 @@ class FarIsosurfaceForceTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 5, 8})
   void overRidgesRodsAndSheets(int width) {
-    slideOver((x, y, z) -> z < 30 || z < TOP_MM && x >= 32 && x < 32 + width);
+    slideOver((x, y, z) -> z < 30 || (z < TOP_MM && x >= 32 && x < 32 + width));
     slideOver((x, y, z) -> z < TOP_MM && z > TOP_MM - width && Math.abs(y - 32.3) < width / 2.0);
     slideOver((x, y, z) -> z < TOP_MM && z > TOP_MM - width);
   }
@@ -152,7 +152,7 @@ class FarIsosurfaceForceTest {
     int inside = 0;
     for (int n = 0; n < 4 * SAMPLES_ALONG_Z; n++) {
       double x = i + 0.25 + 0.5 * (n & 1);
-      double y = j + 0.25 + 0.5 * (n >> 1 & 1);
+      double y = j + 0.25 + 0.5 * ((n >> 1) & 1);
       double z = SLICE_MM * (k + ((n >> 2) + 0.5) / SAMPLES_ALONG_Z);
       inside += solid.at(x, y, z) ? 1 : 0;
     }
