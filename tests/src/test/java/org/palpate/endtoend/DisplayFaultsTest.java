@@ -127,6 +127,8 @@ class DisplayFaultsTest {
           start(
               on(display.display(), "touch", "--phantom", "sphere:32", "--record", recording), out);
       await(process, out, () -> draws(process.pid()));
+      // Nothing is recorded before the warm-up is over.
+      await(process, out, () -> Files.readString(out).contains("force is on"));
     }
     // Either Xlib detects the loss, or the driver does if it is drawing.
     await(process, out, () -> Files.readString(out).contains("the session goes on without it"));
