@@ -41,7 +41,7 @@ class WorkCountsTest {
     for (int frame = 0; frame < 1_100; frame++) {
       counts.follow(new Vec3(16.5 + 0.001 * frame, 16.5, frame < 500 ? 20.5 : 3.5));
     }
-    long[] all = counts.counts();
+    long[] all = counts.result().counts();
     assertEquals(1_100, all.length, "more frames than there is room for at first");
     long free = max(all, 100, 500);
     assertTrue(free < 50, "a frame in empty space counts its own work alone: " + free);
@@ -64,7 +64,7 @@ class WorkCountsTest {
       counts.follow(device);
       long before = bits.words();
       solver.follow(scene, device, point);
-      assertEquals(solver.steps() + bits.words() - before, counts.counts()[frame]);
+      assertEquals(solver.steps() + bits.words() - before, counts.result().counts()[frame]);
       steps += solver.steps();
     }
     assertTrue(steps > 60 && bits.words() > 60, steps + " steps, " + bits.words() + " words");
@@ -80,7 +80,7 @@ class WorkCountsTest {
       one.follow(device);
       other.follow(device);
     }
-    assertArrayEquals(one.counts(), other.counts());
+    assertArrayEquals(one.result().counts(), other.result().counts());
   }
 
   @ParameterizedTest
@@ -109,7 +109,7 @@ class WorkCountsTest {
     for (int frame = 0; frame < 3; frame++) {
       counts.follow(new Vec3(16.5, 16.5, 20.5));
     }
-    assertTrue(counts.counts()[2] <= 1, "work " + counts.counts()[2]);
+    assertTrue(counts.result().counts()[2] <= 1, "work " + counts.result().counts()[2]);
   }
 
   private static long max(long[] all, int from, int to) {
