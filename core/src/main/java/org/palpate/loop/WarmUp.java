@@ -29,7 +29,7 @@ public final class WarmUp implements Runnable {
    * The longest warm-up of a session. On an idle machine the JVM's second compiler is done with the
    * frames of a point after one to two seconds.
    */
-  private static final long SESSION_BUDGET_NANOS = 3_000_000_000L;
+  private static final long SESSION_BUDGET_NANOS = 2_000_000_000L;
 
   private final HapticFrame rehearsal;
   private final int minFrames;
@@ -55,7 +55,7 @@ public final class WarmUp implements Runnable {
   }
 
   /**
-   * {@return the warm-up of a session, which takes three seconds at most}
+   * {@return the warm-up of a session, which takes two seconds at most}
    *
    * @param rehearsal a frame over a simulated device with {@link #PERIOD_NANOS}; it reads the
    *     session's scene and has no edits

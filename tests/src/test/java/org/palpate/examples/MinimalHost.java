@@ -37,7 +37,7 @@ final class MinimalHost implements AutoCloseable {
     session = new TouchSession(scene, device, SessionSettings.standard());
   }
 
-  /** Starts the haptic thread; force comes on after a warm-up of one to three seconds. */
+  /** Starts the haptic thread; force comes on after a warm-up of one to two seconds. */
   void start() {
     session.start();
   }
