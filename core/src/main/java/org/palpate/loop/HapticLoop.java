@@ -43,10 +43,10 @@ public final class HapticLoop implements AutoCloseable {
   private final Thread thread = new Thread(this::run, THREAD_NAME);
   private final Object warmUpLock = new Object();
 
-  /** The thread that warms up now, or null; guarded by {@link #warmUpLock}. */
+  /** Holds the thread that warms up now, or null. Guarded by {@link #warmUpLock}. */
   private Thread warmingUp;
 
-  /** Whether a warm-up is to end, or not to begin; guarded by {@link #warmUpLock}. */
+  /** Says that no warm-up may begin or go on. Guarded by {@link #warmUpLock}. */
   private boolean warmUpIsOver;
 
   private volatile ThreadSetup.Granted granted = ThreadSetup.Granted.NOTHING;
@@ -110,6 +110,7 @@ public final class HapticLoop implements AutoCloseable {
     }
   }
 
+  /** Interrupts a warm-up that runs, and keeps one from beginning later. */
   private void endWarmUp() {
     synchronized (warmUpLock) {
       warmUpIsOver = true;

@@ -51,7 +51,7 @@ final class FlatBricks {
    *
    * @param kept the bricks that were in the copy at the last call, a bit each
    * @param offset how much greater their number was there
-   * @return those of the others that hold a terrace, and of the kept ones those that prove to
+   * @return the other bricks that hold a terrace, and the kept ones that turn out to hold one
    */
   long find(long kept, int offset) {
     within = moved(within, kept, offset);
@@ -149,9 +149,10 @@ final class FlatBricks {
     /** The distance of neighbours along the axis in a word of bricks. */
     private final int stride;
 
-    /** The bricks that have a neighbour in the copy on either side. */
+    /** The bricks that have a lower neighbour in the copy. */
     private final long withLower;
 
+    /** The bricks that have an upper neighbour in the copy. */
     private final long withUpper;
 
     private final long lowest;
@@ -165,10 +166,12 @@ final class FlatBricks {
     private long solidHigh;
 
     /**
-     * The bricks with an empty layer at the rim of the copy of which the layer beside is unknown.
+     * The bricks whose lowest layer is empty and at the rim of the copy, while it is unknown whether
+     * the layer beside it is solid.
      */
     private long openLow;
 
+    /** The same for the highest layer. */
     private long openHigh;
 
     Axis(int number) {
