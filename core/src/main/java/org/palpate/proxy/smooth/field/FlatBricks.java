@@ -166,8 +166,8 @@ final class FlatBricks {
     private long solidHigh;
 
     /**
-     * The bricks whose lowest layer is empty and at the rim of the copy, while it is unknown whether
-     * the layer beside it is solid.
+     * The bricks whose lowest layer is empty and at the rim of the copy, while it is unknown
+     * whether the layer beside it is solid.
      */
     private long openLow;
 
@@ -224,8 +224,8 @@ final class FlatBricks {
 
     /** Whether an empty layer of a brick lies beside a solid one. */
     boolean hasTerrace(long cells) {
-      int empty = ~layersOf(cells, number) & ALL_LAYERS;
-      int solid = ~layersOf(~cells, number) & ALL_LAYERS;
+      int empty = emptyLayers(cells, number);
+      int solid = emptyLayers(~cells, number);
       return (empty & (solid << 1 | solid >> 1)) != 0;
     }
 
@@ -253,8 +253,12 @@ final class FlatBricks {
     }
   }
 
-  /** Returns the layers of a brick across an axis that hold a set bit, a bit each. */
-  static int layersOf(long brick, int axis) {
+  /** Returns the layers of a brick across an axis that hold no set bit, a bit each. */
+  static int emptyLayers(long brick, int axis) {
+    return ~layersOf(brick, axis) & ALL_LAYERS;
+  }
+
+  private static int layersOf(long brick, int axis) {
     return switch (axis) {
       case 0 -> acrossX(alongZ(brick));
       case 1 -> acrossY(alongZ(brick));

@@ -33,9 +33,6 @@ final class Terraces implements CellCorrections.Source {
   /** The number of the last column of a tile along u or v. */
   private static final int LAST = 3;
 
-  /** The four layers of a brick, a bit each. */
-  private static final int ALL_LAYERS = 0xF;
-
   /** The bits of the cells if {@link #forget} must make them forget, else null. */
   private final BrickSource bits;
 
@@ -239,8 +236,8 @@ final class Terraces implements CellCorrections.Source {
     /** Finds the empty and the solid layers of a brick of the copy. */
     void findLayers(CollisionScene scene, BrickCopy copy, int brickNumber) {
       long brick = copy.brick(brickNumber);
-      empty = ~FlatBricks.layersOf(brick, number) & ALL_LAYERS;
-      solid = (~FlatBricks.layersOf(~brick, number) & ALL_LAYERS) << 1;
+      empty = FlatBricks.emptyLayers(brick, number);
+      solid = FlatBricks.emptyLayers(~brick, number) << 1;
       if ((empty & 1) != 0 && areSolidBeside(scene, copy, brickNumber, -1)) {
         solid |= 1;
       }

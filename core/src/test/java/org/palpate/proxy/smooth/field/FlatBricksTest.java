@@ -1,6 +1,6 @@
 package org.palpate.proxy.smooth.field;
 
-import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
@@ -157,15 +157,15 @@ class FlatBricksTest {
   }
 
   @Test
-  void layersHoldTheBitsOfTheirCells() {
+  void aBitIsInOneLayerAcrossEachAxis() {
     for (int bit = 0; bit < 64; bit++) {
       for (int axis = 0; axis < 3; axis++) {
         int layer = 1 << (bit >> (2 * axis) & 3);
-        assertTrue(FlatBricks.layersOf(1L << bit, axis) == layer, "bit " + bit);
+        assertEquals(0xF & ~layer, FlatBricks.emptyLayers(1L << bit, axis), "bit " + bit);
         boolean first = (FlatBricks.outermost(axis, -1) >>> bit & 1) != 0;
         boolean last = (FlatBricks.outermost(axis, 1) >>> bit & 1) != 0;
-        assertTrue(first == (layer == 1) && last == (layer == 8), "bit " + bit);
-        assertFalse(first && last);
+        assertEquals(layer == 1, first, "bit " + bit);
+        assertEquals(layer == 8, last, "bit " + bit);
       }
     }
   }
