@@ -40,6 +40,16 @@ public final class Tremor {
   }
 
   /**
+   * {@return the tremor of a hand that is simulated: 0.3 mm along and 1 degree about each axis, at
+   * 8 Hz}
+   *
+   * @param seed chooses the phases
+   */
+  public static Tremor ofHand(long seed) {
+    return new Tremor(0.3, Math.toRadians(1), 8, seed);
+  }
+
+  /**
    * Writes the tremor at a time.
    *
    * @param fraction of the amplitude, 0 to 1

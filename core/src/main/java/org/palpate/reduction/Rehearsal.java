@@ -35,9 +35,6 @@ final class Rehearsal {
   /** The most times that the hand comes home in one of them. */
   private static final int TRIES = 2;
 
-  private static final double TREMOR_MM = 0.3;
-  private static final double TREMOR_RAD = Math.toRadians(1);
-  private static final double TREMOR_HZ = 8;
   private static final long FRAME_NANOS = 1_000_000;
   private static final double REACH_MM = 100;
   private static final double MAX_STEP_MM = 8;
@@ -100,8 +97,7 @@ final class Rehearsal {
     stops.add(
         new HandStop(way.out().multiply(toHand, new Pose()), DeviceState.FIRST_BUTTON, 0, false));
     way.addTo(stops, toHand, body::pose, TRIES, 1, 1);
-    Tremor tremor = new Tremor(TREMOR_MM, TREMOR_RAD, TREMOR_HZ, seed);
-    GuidedHand hand = new GuidedHand(stops, tremor, REACH_MM, FRAME_NANOS);
+    GuidedHand hand = new GuidedHand(stops, Tremor.ofHand(seed), REACH_MM, FRAME_NANOS);
     body.setPose(way.out());
     point.place(NOWHERE, motion);
     solver.takeOver(motion);

@@ -108,7 +108,7 @@ final class GuidedPlacement {
     GuidedHand wanted =
         new GuidedHand(
             List.of(new HandStop(start, 0, 0.1, true), new HandStop(goal, 0, SETTLE_SECONDS, true)),
-            new Tremor(0.3, Math.toRadians(1), 8, seed),
+            Tremor.ofHand(seed),
             100,
             MS);
     return run(wanted, wanted.durationSeconds() + SETTLE_SECONDS, fit);

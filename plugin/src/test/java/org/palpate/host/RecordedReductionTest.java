@@ -148,7 +148,7 @@ class RecordedReductionTest {
             ReductionPlan.of(
                     scene.contactScene().newBodies(), truth, scene.movableShapes(), scene.bodies())
                 .stops(),
-            new Tremor(0.3, Math.toRadians(1), 8, 1),
+            Tremor.ofHand(1),
             100,
             MS);
     RigidCoupling coupling = scene.coupling(NEWTON_PER_MM);

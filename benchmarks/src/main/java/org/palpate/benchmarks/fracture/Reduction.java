@@ -54,9 +54,7 @@ record Reduction(List<PutBack> parts, long frames) {
     BodyScene bodies = bone.bodies();
     List<Pose> truth = Collections.nCopies(bodies.count(), new Pose());
     ReductionPlan plan = ReductionPlan.of(bone.bodies(), truth, contact.shapes(bodies), bodies);
-    GuidedHand hand =
-        new GuidedHand(
-            plan.stops(), new Tremor(0.3, Math.toRadians(1), 8, seed), REACH_MM, FRAME_NANOS);
+    GuidedHand hand = new GuidedHand(plan.stops(), Tremor.ofHand(seed), REACH_MM, FRAME_NANOS);
     ToolFrame frame = frame(hand, bodies, contact);
     BitSet taken = new BitSet();
     long frames = 0;

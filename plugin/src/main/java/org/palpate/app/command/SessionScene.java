@@ -41,12 +41,6 @@ import org.palpate.volume.SegmentedVolume;
 
 /** The scene of a live session, which a point or a rigid tool touches. */
 final class SessionScene {
-  /** The tremor of a hand that reduces a fracture: that of a raised hand, see {@link Tremor}. */
-  private static final double TREMOR_MM = 0.3;
-
-  private static final double TREMOR_RAD = Math.toRadians(1);
-  private static final double TREMOR_HZ = 8;
-
   private final ContactScene scene;
   private final Optional<ToolScene> rigid;
   private final Optional<ToolReport> toolReport;
@@ -110,7 +104,7 @@ final class SessionScene {
     List<Pose> truth = Collections.nCopies(seen.count(), new Pose());
     return new GuidedHand(
         ReductionPlan.of(scene.newBodies(), truth, tool.movableShapes(), seen).stops(),
-        new Tremor(TREMOR_MM, TREMOR_RAD, TREMOR_HZ, seed),
+        Tremor.ofHand(seed),
         handTarget().radiusMm(),
         periodNanos);
   }
