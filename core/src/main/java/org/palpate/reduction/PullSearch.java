@@ -83,8 +83,11 @@ public final class PullSearch {
 
   private static final double MAX_STEP_MM = 8;
 
-  /** The place of the tool that holds nothing, and of fragments in nobody's way, mm. */
+  /** The distance of the tool that holds nothing, and of fragments in nobody's way, mm. */
   private static final double ABSENT_MM = 10_000;
+
+  /** The place of the tool that holds nothing; not to be written. */
+  static final Pose NOWHERE = Pose.at(-ABSENT_MM, 0, 0);
 
   private final BodyScene bodies;
   private final RigidSolver point;
@@ -92,7 +95,6 @@ public final class PullSearch {
   private final ReferencePose[] references;
   private final ToolMotion motion;
   private final double edgeMm;
-  private final Pose none = Pose.at(-ABSENT_MM, 0, 0);
   private final Pose home = new Pose();
   private final Pose target = new Pose();
   private final Pose seen = new Pose();
@@ -126,8 +128,7 @@ public final class PullSearch {
    */
   public PullSearch(BodyScene bodies, MovableShapes shapes) {
     this.bodies = bodies;
-    RigidSettings settings = RigidSettings.of(MAX_STEP_MM, Clearance.POINTS);
-    point = new RigidSolver(new RigidScene(bodies, ToolSampler.point(), shapes, settings));
+    point = solver(bodies, shapes);
     motion = point.newMotion();
     edgeMm = bodies.shortestEdgeMm();
     hands = new RigidSolver[bodies.count()];
@@ -138,6 +139,12 @@ public final class PullSearch {
         references[n] = new ReferencePose(shapes.shapes().get(n).referenceMm(new Vec3()));
       }
     }
+  }
+
+  /** Returns a solver of a tool that holds nothing, whose solvers of bodies move them. */
+  static RigidSolver solver(BodyScene bodies, MovableShapes shapes) {
+    RigidSettings settings = RigidSettings.of(MAX_STEP_MM, Clearance.POINTS);
+    return new RigidSolver(new RigidScene(bodies, ToolSampler.point(), shapes, settings));
   }
 
   /** Returns the bodies where they are. */
@@ -317,7 +324,7 @@ public final class PullSearch {
   /** Takes a fragment in hand at a pose that it has reached. */
   private RigidSolver take(int fragment, Reached from) {
     put(fragment, from.body);
-    point.place(none, motion);
+    point.place(NOWHERE, motion);
     hands[fragment].takeOver(motion);
     return hands[fragment];
   }

@@ -9,14 +9,11 @@ import org.palpate.device.GuidedHand;
 import org.palpate.device.HandStop;
 import org.palpate.device.Tremor;
 import org.palpate.geometry.Pose;
-import org.palpate.rigid.Clearance;
 import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.RigidScene;
-import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
 import org.palpate.rigid.tool.RigidTool;
-import org.palpate.rigid.tool.ToolSampler;
 
 /**
  * Leads a fragment home on a way in a copy of the scene, with a hand that trembles, to find out
@@ -37,10 +34,6 @@ final class Rehearsal {
 
   private static final long FRAME_NANOS = 1_000_000;
   private static final double REACH_MM = 100;
-  private static final double MAX_STEP_MM = 8;
-
-  /** The place of the tool that holds nothing, mm. */
-  private static final Pose NOWHERE = Pose.at(-10_000, 0, 0);
 
   private final BodyScene bodies;
   private final RigidSolver point;
@@ -61,8 +54,7 @@ final class Rehearsal {
   Rehearsal(BodyScene bodies, MovableShapes shapes, long mostFrames) {
     this.bodies = bodies;
     framesLeft = mostFrames;
-    RigidSettings settings = RigidSettings.of(MAX_STEP_MM, Clearance.POINTS);
-    point = new RigidSolver(new RigidScene(bodies, ToolSampler.point(), shapes, settings));
+    point = PullSearch.solver(bodies, shapes);
     motion = point.newMotion();
     hands = new RigidSolver[bodies.count()];
   }
@@ -99,7 +91,7 @@ final class Rehearsal {
     way.addTo(stops, toHand, body::pose, TRIES, 1, 1);
     GuidedHand hand = new GuidedHand(stops, Tremor.ofHand(seed), REACH_MM, FRAME_NANOS);
     body.setPose(way.out());
-    point.place(NOWHERE, motion);
+    point.place(PullSearch.NOWHERE, motion);
     solver.takeOver(motion);
     Pose home = way.place().multiply(toHand, new Pose());
     double arrivedMm = ARRIVED_EDGES * bodies.shortestEdgeMm();
