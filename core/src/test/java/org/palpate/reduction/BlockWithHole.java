@@ -1,5 +1,7 @@
 package org.palpate.reduction;
 
+import org.palpate.body.Body;
+import org.palpate.body.Mobility;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
@@ -7,7 +9,20 @@ import org.palpate.volume.VoxelGrid;
 final class BlockWithHole {
   static final VoxelGrid GRID = VoxelGrid.ofUnitVoxels(16, 16, 16);
 
+  /** A peg that fills the lower two thirds of the shaft. */
+  static final BitCube PEG = PullSearchTest.box(6, 6, 4, 10, 10, 12);
+
   private BlockWithHole() {}
+
+  /** Returns the block, which stands still. */
+  static Body block() {
+    return new Body("block", bits(), GRID, Mobility.FIXED);
+  }
+
+  /** Returns the peg in its place, which can move. */
+  static Body peg() {
+    return new Body("peg", PEG, GRID, Mobility.MOVABLE);
+  }
 
   static BitCube bits() {
     BitCube bits = new BitCube(16, 16, 16);

@@ -17,7 +17,6 @@ import org.palpate.rigid.MovableShapes;
 import org.palpate.volume.BitCube;
 
 class DisassemblyTest {
-  private static final BitCube PEG = PullSearchTest.box(6, 6, 4, 10, 10, 12);
   private static final BitCube LID = PullSearchTest.box(6, 6, 12, 10, 10, 16);
 
   @Test
@@ -26,7 +25,7 @@ class DisassemblyTest {
     List<Exit> exits =
         exits(
             body("block", BlockWithHole.bits(), Mobility.FIXED, new Pose()),
-            body("peg", PEG, Mobility.MOVABLE, aside),
+            body("peg", BlockWithHole.PEG, Mobility.MOVABLE, aside),
             body("lid", LID, Mobility.MOVABLE, Pose.at(0, -40, 0)));
     assertEquals(List.of(2, 1), exits.stream().map(Exit::fragment).toList());
     assertTrue(exits.stream().allMatch(exit -> exit.pulled().isOut()), exits.toString());
@@ -53,7 +52,7 @@ class DisassemblyTest {
     List<Exit> exits =
         exits(
             body("block", BlockWithHole.bits(), Mobility.FIXED, new Pose()),
-            body("peg", PEG, Mobility.MOVABLE, Pose.at(0, 40, 0)),
+            body("peg", BlockWithHole.PEG, Mobility.MOVABLE, Pose.at(0, 40, 0)),
             body("lid", LID, Mobility.MOVABLE, Pose.at(0, 0, 6)));
     assertEquals(List.of(2, 1), exits.stream().map(Exit::fragment).toList());
     assertTrue(exits.stream().allMatch(exit -> exit.pulled().isOut()), exits.toString());
@@ -79,7 +78,7 @@ class DisassemblyTest {
         exits(
             body("block", BlockWithHole.bits(), Mobility.FIXED, new Pose()),
             body("plug", LID, Mobility.FIXED, new Pose()),
-            body("peg", PEG, Mobility.MOVABLE, Pose.at(0, 40, 0)));
+            body("peg", BlockWithHole.PEG, Mobility.MOVABLE, Pose.at(0, 40, 0)));
     assertEquals(2, exits.get(0).fragment());
     assertFalse(exits.get(0).pulled().isOut());
     assertTrue(exits.get(0).pulled().way().isEmpty());

@@ -22,7 +22,7 @@ class PullSearchTest {
 
   @Test
   void aPegComesOutOfAHoleByAStraightPull() {
-    BodyScene scene = scene(BlockWithHole.bits(), box(6, 6, 4, 10, 10, 12));
+    BodyScene scene = scene(BlockWithHole.bits(), BlockWithHole.PEG);
     Pulled pulled = search(scene).straight(1, DOWN, REACH_MM, 1).get(0);
     assertTrue(pulled.isOut());
     assertTrue(pulled.farthestMm() >= 0.9 * REACH_MM, pulled.toString());
@@ -36,7 +36,7 @@ class PullSearchTest {
   void aPegThatIsShutInDoesNotComeOut() {
     BitCube shut = BlockWithHole.bits();
     add(shut, 6, 6, 14, 10, 10, 16);
-    PullSearch search = search(scene(shut, box(6, 6, 4, 10, 10, 12)));
+    PullSearch search = search(scene(shut, BlockWithHole.PEG));
     assertEquals(List.of(), search.straight(1, DOWN, REACH_MM, 1));
     Pulled around = search.around(1, REACH_MM, 1);
     assertFalse(around.isOut());

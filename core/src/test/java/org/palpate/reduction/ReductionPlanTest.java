@@ -96,12 +96,8 @@ class ReductionPlanTest {
   private static List<Integer> takenWithLidAt(Pose lid) {
     List<Body> bodies =
         List.of(
-            new Body("block", BlockWithHole.bits(), BlockWithHole.GRID, Mobility.FIXED),
-            new Body(
-                "peg",
-                PullSearchTest.box(6, 6, 4, 10, 10, 12),
-                BlockWithHole.GRID,
-                Mobility.MOVABLE),
+            BlockWithHole.block(),
+            BlockWithHole.peg(),
             new Body(
                 "lid",
                 PullSearchTest.box(6, 6, 12, 10, 10, 16),
@@ -131,7 +127,7 @@ class ReductionPlanTest {
 
   @Test
   void aPointThatLiesInAnotherBodyOnTheWayBlocksIt() {
-    Body block = new Body("block", BlockWithHole.bits(), BlockWithHole.GRID, Mobility.FIXED);
+    Body block = BlockWithHole.block();
     BodyScene scene = new BodyScene(List.of(block));
     Vec3[] inside = {new Vec3(8, 8, 6), new Vec3(8, 8, 6.5)};
     assertEquals(0, new WayOut(scene, -1, inside, 30).blocked());
@@ -174,7 +170,7 @@ class ReductionPlanTest {
 
   @Test
   void theWidestWayLeadsOutOfAHole() {
-    Body block = new Body("block", BlockWithHole.bits(), BlockWithHole.GRID, Mobility.FIXED);
+    Body block = BlockWithHole.block();
     FreeLines lines = new FreeLines(new BodyScene(List.of(block)));
     Vec3[] points = {new Vec3(8, 8, 6), new Vec3(8.5, 8.5, 7)};
     Vec3 way = new WayOut(new BodyScene(List.of(block)), -1, points, 30).direction();

@@ -5,9 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
-import org.palpate.body.Mobility;
 import org.palpate.geometry.Pose;
 import org.palpate.rigid.MovableShapes;
 
@@ -18,14 +16,7 @@ class RehearsalTest {
 
   /** A peg in a hole that is half a voxel wider on each side for its sample points. */
   private final BodyScene scene =
-      new BodyScene(
-          List.of(
-              new Body("block", BlockWithHole.bits(), BlockWithHole.GRID, Mobility.FIXED),
-              new Body(
-                  "peg",
-                  PullSearchTest.box(6, 6, 4, 10, 10, 12),
-                  BlockWithHole.GRID,
-                  Mobility.MOVABLE)));
+      new BodyScene(List.of(BlockWithHole.block(), BlockWithHole.peg()));
 
   @Test
   void aTremblingHandBringsAPegHomeFromAbove() {

@@ -13,7 +13,7 @@ import org.palpate.rigid.tool.ToolSampler;
 
 class WaysTest {
   private static final RigidTool SHAPE =
-      ToolSampler.ofSegment(PullSearchTest.box(6, 6, 4, 10, 10, 12), BlockWithHole.GRID);
+      ToolSampler.ofSegment(BlockWithHole.PEG, BlockWithHole.GRID);
 
   @Test
   void aStraightWayKeepsItsEndsAndTheDistancesAskedFor() {
