@@ -164,21 +164,21 @@ class PosedBitsTest {
     FracturePhantom phantom = new FracturePhantom(96, new FractureSpec(4, 1, 0));
     BitCube bone = phantom.bone();
     double expected = 0.26 * Math.sqrt(faces(bone));
-    double sum = 0;
-    double squares = 0;
+    double mean = 0;
+    double meanSquare = 0;
     for (int n = 0; n < TURNED_POSES; n++) {
       PosedBits turned = new PosedBits(bone, phantom.grid(), RandomGeometry.pose(random, 3));
       VoxelGrid target = PosedBits.gridAround(List.of(turned), phantom.grid());
       BitCube found = PosedBits.resample(List.of(turned), target).get(0);
       double change = found.solidCount() - bone.solidCount();
-      sum += change / TURNED_POSES;
-      squares += change * change / TURNED_POSES;
+      mean += change / TURNED_POSES;
+      meanSquare += change * change / TURNED_POSES;
       assertEquals(0, change, 5 * expected);
     }
-    double rms = Math.sqrt(squares);
-    String text = "rms change " + rms + ", mean " + sum + ", expected " + expected + " voxels";
+    double rms = Math.sqrt(meanSquare);
+    String text = "rms change " + rms + ", mean " + mean + ", expected " + expected + " voxels";
     assertTrue(rms > 0.5 * expected && rms < 1.5 * expected, text);
-    assertEquals(0, sum, 5 * expected / Math.sqrt(TURNED_POSES), text);
+    assertEquals(0, mean, 5 * expected / Math.sqrt(TURNED_POSES), text);
   }
 
   /** Counts the faces between solid voxels and empty ones. */
