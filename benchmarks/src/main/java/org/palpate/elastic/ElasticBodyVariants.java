@@ -31,7 +31,10 @@ public final class ElasticBodyVariants {
     return body.contact().map().nodePosition(node, axis);
   }
 
-  /** Returns the layout of the window of the field in use, if it has one; its place is another. */
+  /**
+   * Returns the layout of the window of the field in use, if it has one. It counts cells from the
+   * lowest corner of the window, not of the lattice.
+   */
   public static Optional<LatticeLayout> windowLayout(ElasticBody body) {
     DeformationField field = body.contact().map().field();
     return field.hasWindow() ? Optional.of(field.window.nodes().layout()) : Optional.empty();
@@ -42,7 +45,10 @@ public final class ElasticBodyVariants {
     return body.contact().map().field().window.covers(x, y, z);
   }
 
-  /** Returns the position of a node of the window, in its cells, as {@link #nodePosition}. */
+  /**
+   * Returns the present position of a node of the window along an axis, in cells of the window from
+   * its lowest corner.
+   */
   public static double windowPosition(ElasticBody body, int node, int axis) {
     DeformationMap map = body.contact().map();
     LatticeLayout layout = map.field().window.nodes().layout();
