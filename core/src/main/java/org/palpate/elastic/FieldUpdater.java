@@ -219,11 +219,11 @@ final class FieldUpdater {
   private boolean proveWithoutWindow(DeformationField field) {
     field.window.present = false;
     restartWindow();
-    boolean proved = prove(field);
-    if (proved) {
+    boolean isProved = prove(field);
+    if (isProved) {
       counters.countWindowless();
     }
-    return proved;
+    return isProved;
   }
 
   private void restartWindow() {

@@ -160,7 +160,7 @@ class LatticeSolution {
   /** Adds the forces of springs that hold nodes elsewhere than at rest. */
   void addHold(int n, float[] dest) {}
 
-  /** Solves until little is unbalanced; begins along the last change, as a slide mostly goes on. */
+  /** Solves until the residual is small. Tries the last change first, as a slide often goes on. */
   private void solve(int n, double goalNewton, int mostSteps) {
     float[] solution = solutions[n];
     float[] change = changes[n];
