@@ -34,7 +34,7 @@ final class NamedSegment {
     return segments.segments().stream().filter(each -> each.name().equals(name)).findFirst();
   }
 
-  /** Returns the remedy for a name that is wrong: the segments that exist, or their number. */
+  /** Returns the remedy for a name that is wrong: which or how many segments exist, if any do. */
   static String remedy(List<Segment> segments) {
     if (segments.isEmpty()) {
       return "the volume has no segment; choose one with --segment";
