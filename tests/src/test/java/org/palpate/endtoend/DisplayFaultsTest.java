@@ -1,6 +1,7 @@
 package org.palpate.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
@@ -137,6 +138,20 @@ class DisplayFaultsTest {
     assertEquals(0, process.exitValue(), Files.readString(out));
     assertTrue(Files.readString(out).contains("in contact"), "the measurements are printed");
     assertTrue(Files.readAllLines(recording).size() > 1, "the recording is complete");
+  }
+
+  @Test
+  void anInterruptedSessionWithAWindowPrintsItsMeasurementsAndNoException() throws Exception {
+    Path out = folder.resolve("out.txt");
+    try (XServer display = XServer.start()) {
+      Process process = start(on(display.display(), "touch", "--phantom", "sphere:32"), out);
+      await(process, out, () -> draws(process.pid()));
+      await(process, out, () -> Files.readString(out).contains("force is on"));
+      process.destroy(); // SIGTERM, as Ctrl-C is SIGINT
+      assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "the process does not end");
+    }
+    assertTrue(Files.readString(out).contains("in contact"), "the measurements are printed");
+    assertFalse(Files.readString(out).contains("Exception"), Files.readString(out));
   }
 
   @Test

@@ -257,9 +257,15 @@ public final class SceneWindow implements AutoCloseable {
     }
   }
 
+  /**
+   * Destroys the window if it is still there. When the process ends, the toolkit's own shutdown
+   * hook has taken it away already, and destroying it again would fail.
+   */
   private void destroy() {
     try {
-      window.destroy();
+      if (window.isNativeValid()) {
+        window.destroy();
+      }
     } catch (GLException | NativeWindowException e) {
       failure = e; // the display or the driver went first, and the window with it
     }
