@@ -371,20 +371,16 @@ final class BinaryWindow {
     }
 
     private long spreadAlongZ() {
+      return spreadLayers(0, WORDS) | spreadLayers((EDGE - 1) * WORDS, -WORDS);
+    }
+
+    /** Spreads from layer to layer, from the first one on; returns 0 if that adds no voxel. */
+    private long spreadLayers(int first, int step) {
       long added = 0;
       long a = 0;
       long b = 0;
       long c = 0;
-      for (int layer = 0; layer < EDGE * WORDS; layer += WORDS) {
-        long addA = a & free[layer] & ~reached[layer];
-        long addB = b & free[layer + 1] & ~reached[layer + 1];
-        long addC = c & free[layer + 2] & ~reached[layer + 2];
-        added |= addA | addB | addC;
-        reached[layer] = a = reached[layer] | addA;
-        reached[layer + 1] = b = reached[layer + 1] | addB;
-        reached[layer + 2] = c = reached[layer + 2] | addC;
-      }
-      for (int layer = (EDGE - 2) * WORDS; layer >= 0; layer -= WORDS) {
+      for (int layer = first; layer >= 0 && layer < EDGE * WORDS; layer += step) {
         long addA = a & free[layer] & ~reached[layer];
         long addB = b & free[layer + 1] & ~reached[layer + 1];
         long addC = c & free[layer + 2] & ~reached[layer + 2];
