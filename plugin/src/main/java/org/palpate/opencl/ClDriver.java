@@ -12,6 +12,9 @@ interface ClDriver {
   /** Returns the name of the device. */
   String name();
 
+  /** Whether the device runs on the processors of the host, which waiting would keep from it. */
+  boolean sharesProcessors();
+
   /** Allocates memory, bytes. */
   ClMemory allocate(long bytes);
 

@@ -28,6 +28,7 @@ final class JoclDriver implements ClDriver {
   private static final int GROUP = 64;
 
   private final String name;
+  private final boolean sharesProcessors;
   private final CLContext context;
   private final CLProgram program;
   private final CL cl;
@@ -48,6 +49,7 @@ final class JoclDriver implements ClDriver {
   /** Compiles other kernels than those of the product. */
   JoclDriver(JoclDevices.Found found, String source) {
     name = found.entry().name();
+    sharesProcessors = !found.entry().isGpu();
     context = CLContext.create(found.device());
     try {
       program = context.createProgram(source).build();
@@ -74,6 +76,11 @@ final class JoclDriver implements ClDriver {
   @Override
   public String name() {
     return name;
+  }
+
+  @Override
+  public boolean sharesProcessors() {
+    return sharesProcessors;
   }
 
   @Override

@@ -20,10 +20,13 @@ final class OpenClLegs implements LegBatch {
   /** The size of a map: three rows of a matrix, each with its component of the offset. */
   private static final int MAP_BYTES = 12 * 8;
 
-  /** The time for which the host polls without a pause, ns. */
+  /**
+   * The time for which the host polls a device without a pause that shares its processors, ns. A
+   * card is always polled so: a pause of the operating system takes as long as a whole answer.
+   */
   private static final long SPIN_NANOS = 50_000;
 
-  /** The pause between two polls afterwards, ns. A device that is the CPU needs the core. */
+  /** The pause between two polls afterwards, ns. */
   private static final long PAUSE_NANOS = 10_000;
 
   /** The bits of an answer that hold the verdict; the others hold the number of empty cubes. */
@@ -159,10 +162,10 @@ final class OpenClLegs implements LegBatch {
       if (now - untilNanos > 0) {
         throw new IllegalStateException("it did not answer in time");
       }
-      if (now - start < SPIN_NANOS) {
-        Thread.onSpinWait();
-      } else {
+      if (driver.sharesProcessors() && now - start >= SPIN_NANOS) {
         LockSupport.parkNanos(PAUSE_NANOS);
+      } else {
+        Thread.onSpinWait();
       }
     }
   }

@@ -51,6 +51,11 @@ final class FailingDriver implements ClDriver {
   }
 
   @Override
+  public boolean sharesProcessors() {
+    return driver.sharesProcessors();
+  }
+
+  @Override
   public ClMemory allocate(long bytes) {
     call();
     return driver.allocate(bytes);

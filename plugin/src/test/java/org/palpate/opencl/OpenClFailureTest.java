@@ -137,9 +137,12 @@ class OpenClFailureTest {
             "  int id = get_global_id(0);",
             """
               int id = get_global_id(0);
-              volatile int work = 0;
-              while (id < 64 && work < 20000000) {
-                work++;
+              double work = id + 1.0;
+              for (int n = 0; id == 0 && n < 100000000; n++) {
+                work = work * 1.0000001 + 1e-9; // each step waits for the one before
+              }
+              if (work == 0) {
+                return; // never; but the compiler cannot leave the steps out
               }
             """);
     Run expected = run(CollisionDevice.CPU);

@@ -43,6 +43,11 @@ final class SimulatedDriver implements ClDriver {
   }
 
   @Override
+  public boolean sharesProcessors() {
+    return true;
+  }
+
+  @Override
   public ClMemory allocate(long bytes) {
     ByteBuffer host = ByteBuffer.allocateDirect((int) bytes).order(ByteOrder.nativeOrder());
     memories.add(ByteBuffer.allocate((int) bytes).order(ByteOrder.nativeOrder()));
