@@ -12,9 +12,11 @@ import java.util.stream.IntStream;
 import org.palpate.benchmarks.report.MachineSummary;
 import org.palpate.benchmarks.report.Progress;
 import org.palpate.benchmarks.report.StudyTable;
+import org.palpate.benchmarks.rigid.DeviceFrameTimes;
 import org.palpate.benchmarks.rigid.LaunchCount;
 import org.palpate.collision.LegBatch;
 import org.palpate.opencl.OpenClCatalog;
+import org.palpate.opencl.OpenClDevice;
 import org.palpate.opencl.OpenClException;
 import org.palpate.opencl.OpenClLegsVariants;
 import org.palpate.volume.BitCube;
@@ -22,7 +24,8 @@ import org.palpate.volume.BitCube;
 /**
  * Counts the launches that sliding tools need, and times the growth of solids by a clearance on the
  * CPU. Times how long it takes to judge 100 to 1,000,000 legs, none of which is culled: on one and
- * on two threads of the CPU, and on every OpenCL device.
+ * on two threads of the CPU, and on every OpenCL device. Times whole frames of sliding tools on
+ * every OpenCL device and on the CPU in turn.
  */
 public final class GpuRun {
   private static final String ONE_THREAD = "cpu 1 thread";
@@ -49,6 +52,7 @@ public final class GpuRun {
   private final Consumer<String> progress;
   private final List<PartTime> times = new ArrayList<>();
   private final List<LaunchCount> launches = new ArrayList<>();
+  private final List<List<Object>> frames = new ArrayList<>();
 
   /** Hits are summed so that no judging can be left out. */
   private long hits;
@@ -79,6 +83,7 @@ public final class GpuRun {
     run.measureCpu();
     long gpus = run.measureDevices();
     StudyTable.GPU.write(folder, run.times, PartTime::cells);
+    StudyTable.GPU_FRAMES.write(folder, run.frames, cells -> cells);
     out.println(gpus == 0 ? "No GPU was measured." : gpus + " GPUs were measured.");
     out.flush();
     return gpus;
@@ -192,6 +197,7 @@ public final class GpuRun {
     for (OpenClCatalog.Entry device : listing.devices()) {
       try {
         measureDevice(device);
+        measureFrames(device);
         gpus += device.isGpu() ? 1 : 0;
       } catch (OpenClException e) {
         out.println(device.name() + " was not measured: " + e.getMessage());
@@ -216,5 +222,42 @@ public final class GpuRun {
         requireHits(legs.notFree());
       }
     }
+  }
+
+  /** Times frames of every tool, each with a device of its own, so that it keeps these voxels. */
+  private void measureFrames(OpenClCatalog.Entry device) throws OpenClException {
+    for (int n = 0; n < DeviceFrameTimes.conditions(); n++) {
+      try (OpenClDevice judge = OpenClDevice.open(device.name())) {
+        DeviceFrameTimes times =
+            DeviceFrameTimes.of(n, judge, quick ? QUICK_SLIDE_FRAMES : SLIDE_FRAMES);
+        progress.accept(device.name() + ", " + times.condition());
+        frames.add(cells(device.name(), times));
+        out.println(
+            String.format(
+                Locale.ROOT,
+                "%-24s %-34s p50 %,7.1f us (CPU alone %,7.1f), p99.9 %,8.1f (%,8.1f), %4.2f"
+                    + " launches a frame",
+                device.name(),
+                times.condition(),
+                times.deviceP50(),
+                times.cpuP50(),
+                times.deviceP999(),
+                times.cpuP999(),
+                times.launches()));
+        out.flush();
+      }
+    }
+  }
+
+  private static List<Object> cells(String device, DeviceFrameTimes times) {
+    return List.of(
+        device,
+        times.condition(),
+        (long) times.points(),
+        times.cpuP50(),
+        times.cpuP999(),
+        times.deviceP50(),
+        times.deviceP999(),
+        times.launches());
   }
 }

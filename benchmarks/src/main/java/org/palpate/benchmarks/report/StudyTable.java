@@ -38,6 +38,10 @@ public enum StudyTable {
       "gpu-launches.csv",
       "condition,points,motions,legs_p50,legs_p99,legs_most,launches_alone,launches_together,"
           + "launches_from_100,launches_from_1000,launches_from_10000"),
+  /** Times of whole frames with an OpenCL device and without. */
+  GPU_FRAMES(
+      "gpu-frames.csv",
+      "device,condition,points,cpu_p50_us,cpu_p99_9_us,device_p50_us,device_p99_9_us,launches"),
   /** Largest stable stiffness of the model and of the theory. */
   STABILITY_THEORY(
       "stability-theory.csv",
