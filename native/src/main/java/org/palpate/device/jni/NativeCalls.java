@@ -53,6 +53,6 @@ final class NativeCalls {
    */
   static native int underWay();
 
-  /** Does nothing; {@code CrossingBenchmark} measures with it the cost of a native call. */
+  /** Does nothing; {@code HidPeersBenchmark} measures with it the cost of a native call. */
   static native void nothing();
 }
