@@ -2,7 +2,6 @@ package org.palpate.scene.gl;
 
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL;
-import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
 import java.awt.Color;
 import java.awt.Font;
@@ -95,19 +94,7 @@ final class GlyphAtlas {
     ByteBuffer bytes = Buffers.newDirectByteBuffer(grey);
     gl.glGenTextures(1, texture, 0);
     gl.glBindTexture(GL.GL_TEXTURE_2D, texture[0]);
-    gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1);
-    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MIN_FILTER, GL.GL_LINEAR);
-    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAG_FILTER, GL.GL_LINEAR);
-    gl.glTexImage2D(
-        GL.GL_TEXTURE_2D,
-        0,
-        GL2ES2.GL_R8,
-        width,
-        height,
-        0,
-        GL2ES2.GL_RED,
-        GL.GL_UNSIGNED_BYTE,
-        bytes);
+    GreyTexture.upload(gl, width, height, bytes);
   }
 
   /** Returns the texture. */

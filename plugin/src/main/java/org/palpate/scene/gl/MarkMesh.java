@@ -1,49 +1,24 @@
 package org.palpate.scene.gl;
 
-import com.jogamp.common.nio.Buffers;
-import java.nio.FloatBuffer;
-import java.util.Arrays;
 import java.util.List;
 import org.palpate.geometry.Vec3;
 
 /** Triangles of balls, tubes and cones, rebuilt for each picture. Scene frame, mm. */
-final class MarkMesh {
-  private static final int FLOATS_PER_VERTEX = 10;
+final class MarkMesh extends ColouredVertices {
+  /** A position and a normal. */
+  private static final int FLOATS_BEFORE_COLOUR = 6;
 
   private static final int AROUND = 14;
   private static final int BALL_RINGS = 10;
   private static final int BALL_AROUND = 20;
 
-  private float[] floats = new float[1 << 16];
-  private int used;
-  private float red;
-  private float green;
-  private float blue;
-  private float alpha;
-
-  /** Removes all triangles. */
-  void clear() {
-    used = 0;
-  }
-
-  /** Returns the number of vertices. */
-  int vertexCount() {
-    return used / FLOATS_PER_VERTEX;
-  }
-
-  /** Returns the vertices: position, normal and colour. */
-  FloatBuffer buffer() {
-    FloatBuffer buffer = Buffers.newDirectFloatBuffer(used);
-    buffer.put(floats, 0, used);
-    return buffer.flip();
+  MarkMesh() {
+    super(FLOATS_BEFORE_COLOUR);
   }
 
   /** Sets the colour of the following shapes, 0xRRGGBB, and their opacity. */
   MarkMesh colour(int rgb, double opacity) {
-    red = ((rgb >> 16) & 255) / 255f;
-    green = ((rgb >> 8) & 255) / 255f;
-    blue = (rgb & 255) / 255f;
-    alpha = (float) opacity;
+    setColour(rgb, opacity);
     return this;
   }
 
@@ -178,18 +153,13 @@ final class MarkMesh {
   }
 
   private void vertex(Vec3 at, Vec3 normal) {
-    if (used + FLOATS_PER_VERTEX > floats.length) {
-      floats = Arrays.copyOf(floats, 2 * floats.length);
-    }
-    floats[used++] = (float) at.x;
-    floats[used++] = (float) at.y;
-    floats[used++] = (float) at.z;
-    floats[used++] = (float) normal.x;
-    floats[used++] = (float) normal.y;
-    floats[used++] = (float) normal.z;
-    floats[used++] = red;
-    floats[used++] = green;
-    floats[used++] = blue;
-    floats[used++] = alpha;
+    beginVertex();
+    put(at.x);
+    put(at.y);
+    put(at.z);
+    put(normal.x);
+    put(normal.y);
+    put(normal.z);
+    endVertex();
   }
 }

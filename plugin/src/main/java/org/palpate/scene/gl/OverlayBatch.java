@@ -1,34 +1,20 @@
 package org.palpate.scene.gl;
 
-import com.jogamp.common.nio.Buffers;
-import java.nio.FloatBuffer;
-import java.util.Arrays;
-
 /** Collects rectangles and lines that are drawn together. Pixels from the upper left corner. */
-final class OverlayBatch {
-  private static final int FLOATS_PER_VERTEX = 8;
+final class OverlayBatch extends ColouredVertices {
+  /** A position and the coordinates of a texture. */
+  private static final int FLOATS_BEFORE_COLOUR = 4;
 
   /** Texture coordinate that stands for a plain area. */
   private static final float PLAIN = -1;
 
-  private float[] floats = new float[1 << 13];
-  private int used;
-  private float red;
-  private float green;
-  private float blue;
-  private float alpha;
-
-  /** Removes all shapes. */
-  void clear() {
-    used = 0;
+  OverlayBatch() {
+    super(FLOATS_BEFORE_COLOUR);
   }
 
   /** Sets the colour of the following shapes, 0xRRGGBB, and their opacity. */
   OverlayBatch colour(int rgb, double opacity) {
-    red = ((rgb >> 16) & 255) / 255f;
-    green = ((rgb >> 8) & 255) / 255f;
-    blue = (rgb & 255) / 255f;
-    alpha = (float) opacity;
+    setColour(rgb, opacity);
     return this;
   }
 
@@ -72,29 +58,12 @@ final class OverlayBatch {
     }
   }
 
-  /** Returns the number of vertices. */
-  int vertexCount() {
-    return used / FLOATS_PER_VERTEX;
-  }
-
-  /** Returns the vertices: position, texture coordinates and colour. */
-  FloatBuffer buffer() {
-    FloatBuffer buffer = Buffers.newDirectFloatBuffer(used);
-    buffer.put(floats, 0, used);
-    return buffer.flip();
-  }
-
   private void vertex(double x, double y, double textureX, double textureY) {
-    if (used + FLOATS_PER_VERTEX > floats.length) {
-      floats = Arrays.copyOf(floats, 2 * floats.length);
-    }
-    floats[used++] = (float) x;
-    floats[used++] = (float) y;
-    floats[used++] = (float) textureX;
-    floats[used++] = (float) textureY;
-    floats[used++] = red;
-    floats[used++] = green;
-    floats[used++] = blue;
-    floats[used++] = alpha;
+    beginVertex();
+    put(x);
+    put(y);
+    put(textureX);
+    put(textureY);
+    endVertex();
   }
 }

@@ -2,7 +2,6 @@ package org.palpate.scene.gl;
 
 import com.jogamp.common.nio.Buffers;
 import com.jogamp.opengl.GL;
-import com.jogamp.opengl.GL2ES2;
 import com.jogamp.opengl.GL3;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
@@ -94,21 +93,7 @@ final class SlicePainter {
         bytes.put((byte) (int) Math.max(0, Math.min(255, grey)));
       }
     }
-    gl.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1);
-    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MIN_FILTER, GL.GL_LINEAR);
-    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_MAG_FILTER, GL.GL_LINEAR);
-    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_S, GL.GL_CLAMP_TO_EDGE);
-    gl.glTexParameteri(GL.GL_TEXTURE_2D, GL.GL_TEXTURE_WRAP_T, GL.GL_CLAMP_TO_EDGE);
-    gl.glTexImage2D(
-        GL.GL_TEXTURE_2D,
-        0,
-        GL2ES2.GL_R8,
-        width,
-        height,
-        0,
-        GL2ES2.GL_RED,
-        GL.GL_UNSIGNED_BYTE,
-        bytes.flip());
+    GreyTexture.upload(gl, width, height, bytes.flip());
   }
 
   private double value(int axis, int plane, int u, int v) {
