@@ -2,7 +2,10 @@ package org.palpate.proxy.smooth;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.palpate.proxy.smooth.field.GreyIsosurface;
 import org.palpate.volume.BitCube;
+import org.palpate.volume.ScalarVolume;
+import org.palpate.volume.VoxelGrid;
 
 /** Small scenes that are hard to slide on. */
 final class Worlds {
@@ -27,7 +30,41 @@ final class Worlds {
           "needles",
           "sheet");
 
+  /** One in this many grey values contradicts its bit. */
+  private static final int RARE = 50;
+
+  private static final double THRESHOLD = 500;
+
   private Worlds() {}
+
+  /**
+   * Makes grey values for a scene: those beside a surface lie nearer to the threshold, and some
+   * contradict their bits.
+   */
+  static GreyIsosurface grey(BitCube bits, long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    ScalarVolume values =
+        ScalarVolume.of(VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE), ScalarVolume.Storage.INT16);
+    for (int k = 0; k < EDGE; k++) {
+      for (int j = 0; j < EDGE; j++) {
+        for (int i = 0; i < EDGE; i++) {
+          double part = partAround(bits, i, j, k);
+          boolean isAbove = bits.get(i, j, k) != (random.nextInt(RARE) == 0);
+          values.set(i, j, k, Math.rint(THRESHOLD * (isAbove ? 1 + part : part * 0.99)));
+        }
+      }
+    }
+    return new GreyIsosurface(values, THRESHOLD, THRESHOLD);
+  }
+
+  /** Returns the solid part of a voxel and those around it. */
+  private static double partAround(BitCube bits, int i, int j, int k) {
+    int solid = 0;
+    for (int n = 0; n < 27; n++) {
+      solid += bits.get(i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1) ? 1 : 0;
+    }
+    return solid / 27.0;
+  }
 
   /** Makes a scene, the same for the same seed. */
   static BitCube make(String name, long seed) {
