@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -41,9 +42,15 @@ class GreyOccupancyTest {
   /** The weights of three voxels side by side. */
   private static final int[] WEIGHTS = {1, 2, 1};
 
+  /** The error of a level from the ramps of voxels, which are kept as floats. */
+  private static final double OF_SINGLE_PRECISION = 1e-3;
+
   private final Random random = new Random(SEED);
 
-  /** The cells of thin slices that were made for one grid. */
+  /** The voxels, and the cells after one and two cuts. */
+  private final List<GreyOccupancyCache> caches = new ArrayList<>();
+
+  /** The occupancies of the voxels and cells of one grid that were checked. */
   private final Map<String, Double> thinCells = new HashMap<>();
 
   private final VoxelGrid grid = VoxelGrid.ofUnitVoxels(SIZES[0], SIZES[1], SIZES[2]);
@@ -145,9 +152,15 @@ class GreyOccupancyTest {
     }
   }
 
+  /** Compares cells with their definition, and the field with the sum of these cells. */
   private void compareThin(ScalarVolume volume, GridMetric metric) {
     Vec3 edges = OccupancyField.edges(metric);
     ThinGrid grid = ThinGrid.ofGrey(edges);
+    caches.clear();
+    caches.add(new GreyVoxels(source(volume)));
+    for (AxisCut cut : grid.cuts()) {
+      caches.add(new ThinOccupancies(cut, caches.get(caches.size() - 1)));
+    }
     int[][] boxes = {ISOTROPIC, ISOTROPIC, ISOTROPIC};
     NaiveOccupancyField naive =
         new NaiveOccupancyField(
@@ -163,27 +176,47 @@ class GreyOccupancyTest {
       assertEquals(
           naive.occupancy(inCells, NaiveThinSlices.seeds(at, grid)),
           field.evaluate(cell(at), at).occupancy(),
-          2e-4, // few cells may be rounded to another level
+          1e-12,
           "seed=" + SEED + " " + grid + " at " + at);
     }
   }
 
   /**
-   * Returns the occupancy of a cell by definition: of the parts of one or two voxels, each solid as
-   * far as a plane leaves it. With two cuts the voxels of the second are the cells of the first.
+   * Returns the occupancy of a cell after checking it against its definition: the parts of one or
+   * two voxels, each solid as far as a plane leaves it, rounded to a level. With two cuts the
+   * voxels of the second are the cells of the first.
    *
    * @param count the number of cuts that made the cell
    */
   private double thin(ScalarVolume volume, ThinGrid grid, int count, int[] cell) {
-    if (count == 0) {
-      boolean isSolid = scene.isSolid(cell[0], cell[1], cell[2]);
-      return occupancy(volume, cell[0], cell[1], cell[2], isSolid);
-    }
     String key = count + " " + cell[0] + " " + cell[1] + " " + cell[2];
     Double known = thinCells.get(key);
     if (known != null) {
       return known;
     }
+    double level = level(count, cell);
+    double expected =
+        count == 0
+            ? 255 * occupancy(volume, cell[0], cell[1], cell[2], isSolid(cell))
+            : 255 * solid(volume, grid, count, cell) * grid.cuts().get(count - 1).perVoxel();
+    double rounding = count == 0 ? 1e-9 : 0.5 + OF_SINGLE_PRECISION;
+    assertEquals(expected, level, rounding, "seed=" + SEED + " " + grid + " cell " + key);
+    thinCells.put(key, level / 255);
+    return level / 255;
+  }
+
+  /** Returns the level of a cell after some cuts, from 0 to 255. */
+  private double level(int count, int[] cell) {
+    long word = caches.get(count).occupancies(scene, cell[0] >> 3, cell[1], cell[2]);
+    return (word >>> (Byte.SIZE * (cell[0] & 7))) & 0xFF;
+  }
+
+  private boolean isSolid(int[] voxel) {
+    return scene.isSolid(voxel[0], voxel[1], voxel[2]);
+  }
+
+  /** Returns the length of the solid in a cell, in voxels. */
+  private double solid(ScalarVolume volume, ThinGrid grid, int count, int[] cell) {
     AxisCut cut = grid.cuts().get(count - 1);
     double low = cell[cut.axis()] / cut.perVoxel();
     double high = (cell[cut.axis()] + 1) / cut.perVoxel();
@@ -192,9 +225,7 @@ class GreyOccupancyTest {
       double[] part = {Math.max(low, k) - k, Math.min(high, k + 1) - k};
       sum += solidPart(volume, grid, count - 1, at(cell, cut, k), part);
     }
-    double rounded = Math.floor(255 * sum * cut.perVoxel() + 0.5) / 255;
-    thinCells.put(key, rounded);
-    return rounded;
+    return sum;
   }
 
   /** Returns the solid of a part of a voxel, from its lower end. */
@@ -363,10 +394,13 @@ class GreyOccupancyTest {
   }
 
   private OccupancyField field(ScalarVolume volume, GridMetric metric) {
-    GreyIsosurface grey = new GreyIsosurface(volume, THRESHOLD, CONTRAST);
-    OccupancyField field = OccupancyField.ofGrey(metric, new GreyIsosurfaceSource(grey));
+    OccupancyField field = OccupancyField.ofGrey(metric, source(volume));
     field.use(scene);
     return field;
+  }
+
+  private static GreyIsosurfaceSource source(ScalarVolume volume) {
+    return new GreyIsosurfaceSource(new GreyIsosurface(volume, THRESHOLD, CONTRAST));
   }
 
   private double coordinate() {
