@@ -20,15 +20,14 @@ import org.palpate.volume.ScalarVolume.Storage;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * Slides over grey values with slices of 5 mm, where the isosurface is far from the solid, and over
- * shapes that differ between the isosurface and the level nearer to the solid. Legs are free, the
- * force never jumps, the point comes to rest, and a frame reads a bounded number of windows.
+ * Slides from bits and from grey values over slices of 2, 3 and 5 mm. With 5 mm and grey values the
+ * isosurface is far from the solid; shapes then differ between the isosurface and the level nearer
+ * to the solid. Legs are free, the force never jumps, the point comes to rest, and a frame reads a
+ * bounded number of windows.
  */
-class FarIsosurfaceForceTest {
+class ThickSliceForceTest {
   private static final int PIXELS = 64;
-  private static final int SLICES = 14;
-  private static final double SLICE_MM = 5;
-  private static final GridMetric METRIC = new GridMetric(1, 1, SLICE_MM);
+  private static final double HEIGHT_MM = 70;
   private static final double TOP_MM = 42;
   private static final double FULL = 1000;
   private static final int SAMPLES_ALONG_Z = 10;
@@ -40,6 +39,7 @@ class FarIsosurfaceForceTest {
   private final InteractionPoint point = new InteractionPoint();
   private final Vec3 device = new Vec3();
   private final Vec3 force = new Vec3();
+  private double sliceMm;
   private ContactForce contact;
   private SmoothSolver solver;
   private JudgedSolver judged;
@@ -75,24 +75,37 @@ class FarIsosurfaceForceTest {
   }
 
   private void slideOver(Solid solid) {
+    slideOver(solid, 2);
+    slideOver(solid, 3);
+    slideOver(solid, 5);
+  }
+
+  private void slideOver(Solid solid, double newSliceMm) {
+    sliceMm = newSliceMm;
     ScalarVolume values = values(solid);
     BitCube bits = bits(values);
+    scene = new CollisionScene(List.of(bits));
     for (double depth : new double[] {0.7, 4}) {
       for (double speed : new double[] {0.1, 2}) {
-        scene = new CollisionScene(List.of(bits));
-        solver = new SmoothSolver(METRIC, 8, new GreyIsosurface(values, FULL / 2, FULL / 2));
-        judged = new JudgedSolver(solver, bits);
-        slide(depth, speed);
+        slide(bits, new SmoothSolver(metric(), 8), depth, speed);
+        GreyIsosurface grey = new GreyIsosurface(values, FULL / 2, FULL / 2);
+        slide(bits, new SmoothSolver(metric(), 8, grey), depth, speed);
       }
     }
   }
 
+  private GridMetric metric() {
+    return new GridMetric(1, 1, sliceMm);
+  }
+
   /** Presses in, slides there and back, and rests now and then. */
-  private void slide(double depth, double speed) {
+  private void slide(BitCube bits, SmoothSolver newSolver, double depth, double speed) {
+    solver = newSolver;
+    judged = new JudgedSolver(solver, bits);
     Vec3 mm = new Vec3(15.1, 32.3, TOP_MM + 10);
     place(mm, device);
     point.position.set(device);
-    contact = new ContactForce(METRIC, ForceSettings.of(STIFFNESS, 0));
+    contact = new ContactForce(metric(), ForceSettings.of(STIFFNESS, 0));
     force.set(0, 0, 0);
     int there = (int) (SLIDE_MM / speed);
     for (int frame = 0; frame < DOWN_FRAMES + 2 * there; frame++) {
@@ -130,15 +143,19 @@ class FarIsosurfaceForceTest {
     } while (!before.sameBits(point.position));
   }
 
-  private static void place(Vec3 mm, Vec3 dest) {
-    dest.set(mm.x, mm.y, mm.z / SLICE_MM);
+  private void place(Vec3 mm, Vec3 dest) {
+    dest.set(mm.x, mm.y, mm.z / sliceMm);
+  }
+
+  private int slices() {
+    return (int) (HEIGHT_MM / sliceMm);
   }
 
   /** Returns the solid fractions of voxels, sampled. */
-  private static ScalarVolume values(Solid solid) {
+  private ScalarVolume values(Solid solid) {
     ScalarVolume values =
-        ScalarVolume.of(VoxelGrid.ofUnitVoxels(PIXELS, PIXELS, SLICES), Storage.INT16);
-    for (int k = 0; k < SLICES; k++) {
+        ScalarVolume.of(VoxelGrid.ofUnitVoxels(PIXELS, PIXELS, slices()), Storage.INT16);
+    for (int k = 0; k < slices(); k++) {
       for (int j = 0; j < PIXELS; j++) {
         for (int i = 0; i < PIXELS; i++) {
           values.set(i, j, k, Math.rint(FULL * fraction(solid, i, j, k)));
@@ -148,20 +165,20 @@ class FarIsosurfaceForceTest {
     return values;
   }
 
-  private static double fraction(Solid solid, int i, int j, int k) {
+  private double fraction(Solid solid, int i, int j, int k) {
     int inside = 0;
     for (int n = 0; n < 4 * SAMPLES_ALONG_Z; n++) {
       double x = i + 0.25 + 0.5 * (n & 1);
       double y = j + 0.25 + 0.5 * ((n >> 1) & 1);
-      double z = SLICE_MM * (k + ((n >> 2) + 0.5) / SAMPLES_ALONG_Z);
+      double z = sliceMm * (k + ((n >> 2) + 0.5) / SAMPLES_ALONG_Z);
       inside += solid.at(x, y, z) ? 1 : 0;
     }
     return inside / (4.0 * SAMPLES_ALONG_Z);
   }
 
-  private static BitCube bits(ScalarVolume values) {
-    BitCube bits = new BitCube(PIXELS, PIXELS, SLICES);
-    for (int k = 0; k < SLICES; k++) {
+  private BitCube bits(ScalarVolume values) {
+    BitCube bits = new BitCube(PIXELS, PIXELS, slices());
+    for (int k = 0; k < slices(); k++) {
       for (int j = 0; j < PIXELS; j++) {
         for (int i = 0; i < PIXELS; i++) {
           if (values.value(i, j, k) >= FULL / 2) {
