@@ -5,7 +5,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.io.file.AtomicFile;
@@ -22,6 +26,8 @@ import org.palpate.io.volume.VolumeFormatException;
 final class SceneAutosave {
   /** The time between two saves, if a body has moved meanwhile. */
   static final long PERIOD_NANOS = 10_000_000_000L;
+
+  private static final String ENDING = ".json";
 
   private final OpenedScene scene;
   private final Path target;
@@ -47,7 +53,7 @@ final class SceneAutosave {
 
   /**
    * Returns what saves a session; empty if it has no scene file or writes none at its end. A file
-   * that an earlier session left is not replaced.
+   * that an earlier session left is not replaced: the new one has a higher number.
    *
    * @param scene the scene file of the session
    * @param end the scene file that it will write
@@ -59,29 +65,64 @@ final class SceneAutosave {
     if (scene.isEmpty() || end.isEmpty()) {
       return Optional.empty();
     }
-    int number = 1;
-    while (Files.exists(beside(end.get(), number))) {
-      number++;
-    }
+    Path target = beside(end.get(), 1 + left(end.get()).keySet().stream().reduce(0, Math::max));
     return Optional.of(
         new SceneAutosave(
             new OpenedScene(SceneReader.read(scene.get()), scene.get()),
-            beside(end.get(), number),
+            target,
             poses,
             System.nanoTime()));
   }
 
   private static Path beside(Path end, int number) {
-    String name = end.getFileName().toString();
-    String stem = name.endsWith(".json") ? name.substring(0, name.length() - 5) : name;
-    return end.resolveSibling(stem + ".autosave" + (number == 1 ? "" : number) + ".json");
+    return end.resolveSibling(stem(end) + (number == 1 ? "" : number) + ENDING);
   }
 
-  /** Returns a note if an earlier session has crashed and left its saved file; empty otherwise. */
-  static Optional<String> note(Optional<Path> end) {
-    return end.map(file -> beside(file, 1))
-        .filter(Files::exists)
-        .map(left -> "A session did not end in order: --scene " + left + " resumes it.");
+  private static String stem(Path end) {
+    String name = end.getFileName().toString();
+    return (name.endsWith(ENDING) ? name.substring(0, name.length() - ENDING.length()) : name)
+        + ".autosave";
+  }
+
+  /** Returns what sessions left beside the scene file that they did not write, by number. */
+  private static SortedMap<Integer, Path> left(Path end) {
+    Pattern name = Pattern.compile(Pattern.quote(stem(end)) + "([2-9]|[1-9]\\d{1,8}|)\\.json");
+    SortedMap<Integer, Path> left = new TreeMap<>();
+    String[] names = end.toAbsolutePath().getParent().toFile().list();
+    for (String each : names == null ? new String[0] : names) {
+      Matcher matcher = name.matcher(each);
+      if (matcher.matches()) {
+        String number = matcher.group(1);
+        left.put(number.isEmpty() ? 1 : Integer.parseInt(number), end.resolveSibling(each));
+      }
+    }
+    return left;
+  }
+
+  /**
+   * Returns a note if an earlier session has crashed and left its saved file; empty otherwise, and
+   * if the last of such files is the scene that is resumed.
+   *
+   * @param scene the scene file of the session
+   * @param end the scene file that it will write
+   */
+  static Optional<String> note(Optional<Path> scene, Optional<Path> end) {
+    SortedMap<Integer, Path> left = end.map(SceneAutosave::left).orElseGet(TreeMap::new);
+    if (left.isEmpty()) {
+      return Optional.empty();
+    }
+    Path last = left.get(left.lastKey());
+    boolean resumes = scene.filter(file -> isSame(file, last)).isPresent();
+    return resumes
+        ? Optional.empty()
+        : Optional.of(
+            "A session did not end in order: --scene "
+                + last
+                + " resumes it. Delete that file once it is not needed.");
+  }
+
+  private static boolean isSame(Path one, Path other) {
+    return one.toAbsolutePath().normalize().equals(other.toAbsolutePath().normalize());
   }
 
   /** Returns the file in which it saves. */

@@ -253,7 +253,7 @@ public final class TouchCommand implements Callable<Integer> {
     try (HapticDevice opened = open(choice, source, scene, target, loop.periodNanos())) {
       scene.notes(opened.specification()).forEach(out::println);
       device.notes(opened.specification()).forEach(out::println);
-      SceneAutosave.note(savedPoses.scene()).ifPresent(out::println);
+      SceneAutosave.note(volume.scene(), savedPoses.scene()).ifPresent(out::println);
       Optional<ViewOptions> view = view(source, scene.contactScene());
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       Optional<BrushOptions.Brush> brush =

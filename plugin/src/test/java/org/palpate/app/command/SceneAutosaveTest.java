@@ -76,13 +76,37 @@ class SceneAutosaveTest {
   @Test
   void whatACrashLeftIsNamedAndNotReplaced() throws IOException {
     Optional<Path> end = Optional.of(folder.resolve("end.json"));
-    assertEquals(Optional.empty(), SceneAutosave.note(end));
+    Optional<Path> start = Optional.of(scene);
+    assertEquals(Optional.empty(), SceneAutosave.note(start, end));
+    Files.writeString(folder.resolve("end.autosave.json.txt"), "of another program");
+    Files.writeString(folder.resolve("end.autosave1.json"), "of another program");
+    assertEquals(Optional.empty(), SceneAutosave.note(start, end));
+    assertEquals(saved, target(end));
     Files.writeString(saved, "left");
-    assertTrue(SceneAutosave.note(end).orElseThrow().contains(saved.toString()));
-    Path next = SceneAutosave.of(Optional.of(scene), end, List::of).orElseThrow().target();
-    assertEquals(folder.resolve("end.autosave2.json"), next);
-    assertEquals(
-        Optional.empty(), SceneAutosave.of(Optional.of(scene), Optional.empty(), List::of));
+    assertTrue(SceneAutosave.note(start, end).orElseThrow().contains(saved.toString()));
+    assertEquals(folder.resolve("end.autosave2.json"), target(end));
+    assertEquals(Optional.empty(), SceneAutosave.of(start, Optional.empty(), List::of));
     assertEquals(Optional.empty(), SceneAutosave.of(Optional.empty(), end, List::of));
+  }
+
+  private Path target(Optional<Path> end) throws IOException {
+    return SceneAutosave.of(Optional.of(scene), end, List::of).orElseThrow().target();
+  }
+
+  /** A session that resumed the first one has crashed too. */
+  @Test
+  void ofSeveralCrashesTheLastIsNamedAndNotAgainWhileItIsResumed() throws IOException {
+    Optional<Path> end = Optional.of(folder.resolve("end.json"));
+    Path second = folder.resolve("end.autosave2.json");
+    Files.writeString(saved, "left");
+    Files.writeString(second, "left");
+    String note = SceneAutosave.note(Optional.of(saved), end).orElseThrow();
+    assertTrue(note.contains(second.toString()), note);
+    Path indirect = folder.resolve("in").resolve("..").resolve("end.autosave2.json");
+    assertEquals(Optional.empty(), SceneAutosave.note(Optional.of(indirect), end));
+    Files.delete(saved);
+    note = SceneAutosave.note(Optional.of(scene), end).orElseThrow();
+    assertTrue(note.contains(second.toString()), note);
+    assertEquals(folder.resolve("end.autosave3.json"), target(end), "the last has the highest");
   }
 }
