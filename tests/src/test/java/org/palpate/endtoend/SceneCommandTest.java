@@ -419,6 +419,16 @@ class SceneCommandTest {
   }
 
   @Test
+  void aClearanceThatIsGivenReplacesThatOfTheScene() throws IOException {
+    String plain = blocks("", "");
+    String wide = plain.replace("\"sphere:2\"", "\"sphere:2\", \"clearance\": 0.5");
+    Map<String, String> own = press(wide);
+    assertEquals(0.5, Double.parseDouble(own.get("/tool/clearance_mm")));
+    assertEquals(own, press(plain, "--clearance", 0.5));
+    assertEquals(press(plain), press(wide, "--clearance", "body"));
+  }
+
+  @Test
   void noOutputReplacesTheSceneOrItsVolumes() throws IOException {
     Path parts = folder.resolve("parts.nrrd");
     Path other = folder.resolve("other.nrrd");

@@ -111,7 +111,8 @@ public final class ToolOptions {
   private Optional<String> placedBodies = Optional.empty();
 
   /**
-   * Takes the tool of a scene file. Among bodies that have poses even a point is a rigid tool.
+   * Takes the tool of a scene file; a clearance that was given replaces its own. Among bodies that
+   * have poses even a point is a rigid tool.
    *
    * @throws VolumeFormatException if the scene cannot be read
    * @throws PalpateException exit code 2, if an option contradicts the scene
@@ -121,7 +122,7 @@ public final class ToolOptions {
     if (volume.scene().isEmpty()) {
       return;
     }
-    for (String option : List.of("--tool", "--tool-segment", "--clearance", "--mass")) {
+    for (String option : List.of("--tool", "--tool-segment", "--mass")) {
       if (given.hasMatchedOption(option)) {
         throw PalpateException.wrongUse(
             "the scene names the tool",
@@ -139,7 +140,7 @@ public final class ToolOptions {
             ? sceneFile.toAbsolutePath().resolveSibling(own.spec()).toString()
             : own.spec();
     segment = own.segment().orElse(null);
-    clearance = own.clearance().orElse(null);
+    clearance = clearance == null ? own.clearance().orElse(null) : clearance;
     mass = own.massKg().isPresent() ? own.massKg().getAsDouble() : null;
   }
 

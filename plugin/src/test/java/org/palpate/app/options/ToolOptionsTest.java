@@ -180,8 +180,9 @@ class ToolOptionsTest {
     assertEquals("t", tool.request().segment().orElseThrow().name());
     assertEquals(Optional.of(new ClearanceChoice(true, -0.5)), tool.request().clearance());
     assertEquals(OptionalDouble.of(0.2), tool.massKg());
-    for (String option :
-        List.of("--tool=point", "--tool-segment=a=>=1", "--clearance=body", "--mass=1")) {
+    assertEquals(
+        Optional.of(ClearanceChoice.BODY), taken(volume, "--clearance=body").request().clearance());
+    for (String option : List.of("--tool=point", "--tool-segment=a=>=1", "--mass=1")) {
       Given.refuses(
           "the scene names the tool: "
               + option.substring(0, option.indexOf('='))
