@@ -10,7 +10,10 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import org.palpate.body.Mobility;
 import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.file.NumberText;
 import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.rigid.ReferencePose;
 
 /** Reads a scene file. Errors are one line that names the file and the key. */
 public final class SceneReader {
@@ -159,7 +162,7 @@ public final class SceneReader {
       return pose;
     }
     JsonFields fields = new JsonFields(file, body.key("pose"), body.value("pose"), POSE);
-    fields.vector("translation_mm").ifPresent(pose.translation::set);
+    pose.translation.set(translation(fields));
     if (fields.has("rotation")) {
       double[] q = fields.numbers("rotation", 4);
       pose.rotation.set(q[0], q[1], q[2], q[3]);
@@ -172,6 +175,20 @@ public final class SceneReader {
       }
     }
     return pose;
+  }
+
+  /** Returns a translation that a movable body can have. */
+  private static Vec3 translation(JsonFields pose) throws VolumeFormatException {
+    Vec3 mm = pose.vector("translation_mm").orElseGet(Vec3::new);
+    for (int axis = 0; axis < 3; axis++) {
+      if (Math.abs(mm.get(axis)) > ReferencePose.LARGEST_MM) {
+        throw pose.refusal(
+            pose.key("translation_mm"),
+            "must be from -1048576 to 1048576 mm along each axis: "
+                + NumberText.text(mm.get(axis)));
+      }
+    }
+    return mm;
   }
 
   private Optional<SceneTool> tool(JsonFields top) throws VolumeFormatException {

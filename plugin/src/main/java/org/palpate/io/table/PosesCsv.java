@@ -10,6 +10,7 @@ import org.palpate.body.BodyEvent;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.io.file.NumberText;
+import org.palpate.rigid.ReferencePose;
 
 /**
  * Reads and writes poses of bodies: a header that names {@code frame,body,x,y,z,qw,qx,qy,qz} in any
@@ -94,6 +95,7 @@ public final class PosesCsv implements CsvLines.Rows {
     long frame = frame(words);
     int body = body(CsvLines.word(words, columns[1]));
     Pose pose = pose(words, columns, COLUMNS, 2);
+    requireNear(pose);
     BodyEvent event = event(words);
     Pose inHand = event == BodyEvent.TAKEN ? pose(words, recordedColumns, RECORDED, 1) : new Pose();
     poses.add(new BodyPose(frame, body, event, pose, inHand));
@@ -119,6 +121,17 @@ public final class PosesCsv implements CsvLines.Rows {
     }
     pose.rotation.normalize();
     return pose;
+  }
+
+  private void requireNear(Pose pose) throws CsvFormatException {
+    for (int axis = 0; axis < 3; axis++) {
+      double mm = pose.translation.get(axis);
+      if (Math.abs(mm) > ReferencePose.LARGEST_MM) {
+        throw lines.fault(
+            COLUMNS.get(2 + axis) + " is " + NumberText.text(mm),
+            "no body moves farther than 1048576 mm along an axis");
+      }
+    }
   }
 
   private double number(String[] words, int column, String name) throws CsvFormatException {

@@ -153,6 +153,8 @@ class SceneFileTest {
             + " be|{'bodies':[{'name':'a','volume':'v','mobility':'elastic','young_pa':1,'poisson':0.5}]}",
         "bodies[0].pose.rotation must"
             + " be|{'bodies':[{'name':'a','volume':'v','pose':{'rotation':[1,0,0]}}]}",
+        "bodies[0].pose.translation_mm must be"
+            + " from|{'bodies':[{'name':'a','volume':'v','pose':{'translation_mm':[0,-1048577,0]}}]}",
         "bodies[0].pose.rotation has the"
             + " norm|{'bodies':[{'name':'a','volume':'v','pose':{'rotation':[1,1,0,0]}}]}",
         "bodies[0].pose.translation_mm must"

@@ -116,6 +116,8 @@ class PosesCsvTest {
         "6,part,0,inf,0,1,0,0,0|y is inf|correct the row",
         "6,part,0,0|z is missing|write numbers with a dot",
         "6,part,0,0,0,1,0,0,one|qz is no number: one|write numbers with a dot",
+        "6,part,0,0,1048577,1,0,0,0|z is 1048577.0|no body moves farther than 1048576 mm along an"
+            + " axis",
         "6,part,0,0,0,1.1,0,0,0|the quaternion qw,qx,qy,qz has the norm 1.1 instead of 1|normalize"
             + " it",
         "6,part,0,0,0,1,0,0,0,thrown|event is thrown|write moved, taken, joined, held, released or"
