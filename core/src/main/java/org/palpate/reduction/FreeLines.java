@@ -26,8 +26,13 @@ final class FreeLines {
 
   /** Whether a straight line touches no body at its present pose. */
   boolean isFree(Vec3 from, Vec3 to) {
+    return isFreeBut(-1, from, to);
+  }
+
+  /** Whether a straight line touches no other body than one at its present pose. */
+  boolean isFreeBut(int one, Vec3 from, Vec3 to) {
     for (int n = 0; n < scene.count(); n++) {
-      if (touches(n, from, to)) {
+      if (n != one && touches(n, from, to)) {
         return false;
       }
     }

@@ -10,6 +10,7 @@ import org.palpate.device.HandStop;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.reduction.TouchSearch.Touch;
 import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
@@ -29,9 +30,6 @@ public final class ReductionPlan {
   /** The most sample points of a fragment at which rough faces are compared. */
   private static final int MOST_POINTS = 4000;
 
-  /** The most of them at which the plan looks for a place to touch. */
-  private static final int MOST_TOUCHES = 160;
-
   /**
    * The distance by which a fragment is lifted off and from which it approaches its place, as a
    * fraction of the radius of the ball around all bodies.
@@ -40,18 +38,6 @@ public final class ReductionPlan {
 
   /** The depth below the touched point to which the hand presses, shortest voxel edges. */
   private static final double PRESS_EDGES = 1;
-
-  /**
-   * The distance from a touched point beyond which a straight line outwards must be free, shortest
-   * voxel edges.
-   */
-  private static final double CLEAR_EDGES = 2;
-
-  /** The depth below a touched point that is solid, or the hand would slip off an edge. */
-  private static final double DEEP_EDGES = 2;
-
-  /** The distance of lines beside one that has room for a tremor, shortest voxel edges. */
-  private static final double ROOM_EDGES = 0.7;
 
   private static final double PRESS_SECONDS = 0.4;
 
@@ -70,8 +56,11 @@ public final class ReductionPlan {
   /** The same for one that was cleared away. */
   private static final double CLEARED = 0.8;
 
-  /** The number of stops that put a fragment aside; a hand that succeeds leaves them out. */
-  private static final int STOPS_ASIDE = 4;
+  /**
+   * The number of stops that put a fragment aside and lead back around the bodies; a hand that
+   * succeeds leaves them out.
+   */
+  private static final int STOPS_ASIDE = 7;
 
   /** The most sample points of a fragment that show whether another lies in its way. */
   private static final int POINTS_IN_THE_WAY = 300;
@@ -79,16 +68,11 @@ public final class ReductionPlan {
   /** The distance of the poses of a way at which that is tested, shortest voxel edges. */
   private static final double PACE_EDGES = 2;
 
-  /** The distance of a path around the bodies, as a multiple of that of the farthest point. */
-  private static final double AROUND = 1.15;
-
-  private static final int PARTS_OF_A_PATH_AROUND = 4;
-
   private final BodyScene bodies;
   private final BodyScene seen;
-  private final FreeLines lines;
   private final List<RigidTool> shapes = new ArrayList<>();
-  private final Vec3 middle = new Vec3();
+  private final BallAround ball;
+  private final TouchSearch touches;
   private final List<HandStop> stops = new ArrayList<>();
   private final List<Disassembly.Exit> exits = new ArrayList<>();
 
@@ -96,18 +80,10 @@ public final class ReductionPlan {
   private final List<Integer> scattered = new ArrayList<>();
 
   private final FragmentPlaces places;
-  private double radiusMm;
-
-  /** The distance from the middle of a path around all bodies. */
-  private double aroundMm;
-
-  /** A point at which the hand takes a fragment, and the direction from which it comes. */
-  private record Touch(Vec3 at, Vec3 outward, double score) {}
 
   private ReductionPlan(BodyScene bodies, BodyScene seen) {
     this.bodies = bodies;
     this.seen = seen;
-    lines = new FreeLines(bodies);
     for (int n = 0; n < bodies.count(); n++) {
       Body body = bodies.body(n);
       shapes.add(ToolSampler.ofSegment(body.bits(), body.grid()).thinned(MOST_POINTS));
@@ -115,7 +91,12 @@ public final class ReductionPlan {
     places =
         new FragmentPlaces(
             bodies, shapes.stream().map(each -> each.thinned(POINTS_IN_THE_WAY)).toList());
-    measure();
+    List<Vec3> points = new ArrayList<>();
+    for (int n = 0; n < bodies.count(); n++) {
+      points.addAll(List.of(points(shapes.get(n), bodies.body(n).pose())));
+    }
+    ball = new BallAround(points);
+    touches = new TouchSearch(bodies, shapes, ball);
   }
 
   /**
@@ -129,7 +110,7 @@ public final class ReductionPlan {
   public static ReductionPlan of(
       BodyScene bodies, List<Pose> truth, MovableShapes points, BodyScene seen) {
     ReductionPlan plan = new ReductionPlan(bodies, seen);
-    plan.stops.add(plan.free(plan.outside(new Vec3(0, 0, 1))));
+    plan.stops.add(plan.free(plan.ball.outside(new Vec3(0, 0, 1))));
     plan.exits.addAll(Disassembly.of(bodies, truth, points, plan.liftMm()));
     plan.exits.forEach(exit -> plan.scattered.add(exit.fragment()));
     for (int n = plan.exits.size() - 1; n >= 0; n--) {
@@ -151,36 +132,21 @@ public final class ReductionPlan {
   }
 
   private double liftMm() {
-    return LIFT * radiusMm;
-  }
-
-  /** Finds the ball around all sample points. */
-  private void measure() {
-    List<Vec3> all = new ArrayList<>();
-    for (int n = 0; n < bodies.count(); n++) {
-      all.addAll(List.of(points(shapes.get(n), bodies.body(n).pose())));
-    }
-    all.forEach(point -> middle.add(point, middle));
-    middle.mul(1.0 / all.size(), middle);
-    for (Vec3 point : all) {
-      radiusMm = Math.max(radiusMm, point.sub(middle, new Vec3()).length());
-    }
-    measureAround();
+    return LIFT * ball.radiusMm();
   }
 
   /** Sets where the plan leaves a fragment. */
   private void leave(int fragment, Pose pose) {
     bodies.body(fragment).setPose(pose);
-    measureAround();
+    ball.reachTo(farthestMm());
   }
 
-  /** Finds how far a path around all bodies leads from the middle, where they are now. */
-  private void measureAround() {
-    double farMm = radiusMm;
+  private double farthestMm() {
+    double farMm = 0;
     for (int n = 0; n < bodies.count(); n++) {
-      farMm = Math.max(farMm, places.farthestMm(n, middle));
+      farMm = Math.max(farMm, places.farthestMm(n, ball.middle()));
     }
-    aroundMm = AROUND * farMm;
+    return farMm;
   }
 
   /** Returns the sample points of a body at a pose, world mm. */
@@ -222,7 +188,7 @@ public final class ReductionPlan {
     clear(fragment, ways.get(0));
     Pose start = new Pose().set(bodies.body(fragment).pose());
     Vec3 up = wayOut(fragment, start).direction();
-    Touch touch = touch(fragment, start, up);
+    Touch touch = touch(fragment, up, ways.get(0).place());
     Pose startToHand = inverse(start).multiply(take(touch), new Pose());
     hold(lifted(start, up).multiply(startToHand, new Pose()), 0, false);
     for (int n = 0; n < WAYS; n++) {
@@ -233,9 +199,13 @@ public final class ReductionPlan {
     stops.add(letGo(there, 1 + STOPS_ASIDE));
     hold(last.out().multiply(startToHand, new Pose()), 0, false);
     Vec3 away = Ways.direction(last.poses(), shapes.get(fragment));
-    Pose aside = WayHome.shifted(last.out(), away, ASIDE * radiusMm);
-    putDown(aside.multiply(startToHand, new Pose()), touch);
-    stops.add(free(outside(there.translation.sub(middle, new Vec3()))));
+    Pose aside = WayHome.shifted(last.out(), away, ASIDE * ball.radiusMm());
+    Pose asideHand = aside.multiply(startToHand, new Pose());
+    Vec3 back = asideHand.rotation.rotate(touch.outward(), new Vec3()).mul(liftMm(), new Vec3());
+    putDown(asideHand, back.add(asideHand.translation, back));
+    Vec3 off = ball.beyond(there.translation, touch.off());
+    goAround(off);
+    stops.add(free(off));
     leave(fragment, last.place());
   }
 
@@ -285,24 +255,24 @@ public final class ReductionPlan {
   private void clearAway(int fragment) {
     Pose start = new Pose().set(bodies.body(fragment).pose());
     Vec3 up = wayOut(fragment, start).direction();
-    Touch touch = touch(fragment, start, up);
-    Pose startToHand = inverse(start).multiply(take(touch), new Pose());
     Pose lifted = lifted(start, up);
-    hold(lifted.multiply(startToHand, new Pose()), 0, false);
     Vec3 reference = shapes.get(fragment).referenceMm(new Vec3());
-    Vec3 out = lifted.transform(reference, new Vec3()).sub(middle, new Vec3());
-    Pose away = WayHome.shifted(lifted, out.mul(1 / out.length(), out), CLEARED * radiusMm);
+    Vec3 out = ball.away(lifted.transform(reference, new Vec3()));
+    Pose away = WayHome.shifted(lifted, out, CLEARED * ball.radiusMm());
+    Touch touch = touch(fragment, up, away);
+    Pose startToHand = inverse(start).multiply(take(touch), new Pose());
+    hold(lifted.multiply(startToHand, new Pose()), 0, false);
     correct(fragment, away, startToHand, true);
-    putDown(away.multiply(startToHand, new Pose()), touch);
+    Pose hand = away.multiply(startToHand, new Pose());
+    putDown(hand, ball.beyond(hand.translation, touch.off()));
     leave(fragment, away);
   }
 
-  /** Adds the stops that let a fragment go and leave it. */
-  private void putDown(Pose hand, Touch touch) {
+  /** Adds the stops that let a fragment go and leave it for a point. */
+  private void putDown(Pose hand, Vec3 off) {
     hold(hand, PRESS_SECONDS, true);
     stops.add(letGo(hand, 1));
-    Vec3 off = hand.rotation.rotate(touch.outward, new Vec3()).mul(liftMm(), new Vec3());
-    stops.add(free(off.add(hand.translation, off)));
+    stops.add(free(off));
   }
 
   private static HandStop letGo(Pose pose, int next) {
@@ -333,102 +303,34 @@ public final class ReductionPlan {
     return inverse;
   }
 
+  /** Finds where to touch a fragment that is taken now and let go at another pose. */
+  private Touch touch(int fragment, Vec3 preferred, Pose end) {
+    Body body = bodies.body(fragment);
+    double farMm = farthestMm();
+    Pose start = new Pose().set(body.pose());
+    body.setPose(end);
+    ball.reachTo(Math.max(farMm, places.farthestMm(fragment, ball.middle())));
+    body.setPose(start);
+    return touches.find(fragment, end, preferred);
+  }
+
   /** Adds the stops that touch a fragment and take hold of it; returns the pose of the hand. */
   private Pose take(Touch touch) {
-    Vec3 far = beyondBall(touch.at, touch.outward);
+    Vec3 far = ball.beyond(touch.at(), touch.outward());
     goAround(far);
     stops.add(free(far));
     double depthMm = PRESS_EDGES * bodies.shortestEdgeMm();
-    Vec3 pressed = touch.outward.mul(-depthMm, new Vec3()).add(touch.at, new Vec3());
+    Vec3 pressed = touch.outward().mul(-depthMm, new Vec3()).add(touch.at(), new Vec3());
     Pose hand = new Pose().set(pressed, new Quaternion());
     stops.add(new HandStop(hand, 0, PRESS_SECONDS, true));
     hold(hand, PRESS_SECONDS, true);
     return hand;
   }
 
-  /**
-   * Returns a sample point that a free straight line from outside reaches. Of several it takes that
-   * which is nearest to the middle of the fragment, so that a tremor that turns the hand moves the
-   * fragment little. Lines with room for a tremor come first, and of these lines away from the
-   * middle. Without any it takes the first point.
-   */
-  private Touch touch(int fragment, Pose start, Vec3 preferred) {
-    RigidTool shape = shapes.get(fragment);
-    Vec3 own = start.transform(shape.referenceMm(new Vec3()), new Vec3());
-    Vec3[] points = points(shape.thinned(MOST_TOUCHES), start);
-    Touch best = new Touch(points[0], preferred, Double.NEGATIVE_INFINITY);
-    for (double roomEdges : new double[] {ROOM_EDGES, 0}) {
-      double roomMm = roomEdges * bodies.shortestEdgeMm();
-      for (Vec3 point : points) {
-        Vec3 direction = point.sub(own, new Vec3());
-        double farMm = direction.length();
-        direction.mul(1 / farMm, direction);
-        best = better(fragment, best, new Touch(point, direction, -farMm), roomMm);
-      }
-      for (int n = 0; n < WayOut.DIRECTIONS && best.score == Double.NEGATIVE_INFINITY; n++) {
-        Vec3 direction = WayOut.direction(n);
-        for (Vec3 point : points) {
-          double farMm = point.sub(own, new Vec3()).length();
-          best = better(fragment, best, new Touch(point, direction, -farMm), roomMm);
-        }
-      }
-      if (best.score > Double.NEGATIVE_INFINITY) {
-        return best;
-      }
-    }
-    return best;
-  }
-
-  /** Returns another touch if the hand can reach it and it has the higher score, else the best. */
-  private Touch better(int fragment, Touch best, Touch other, double roomMm) {
-    return other.score > best.score && canReach(fragment, other, roomMm) ? other : best;
-  }
-
-  /** Whether lines that are shifted sideways by a distance meet nothing but the fragment. */
-  private boolean canReach(int fragment, Touch touch, double roomMm) {
-    Vec3 u = touch.outward.cross(WayOut.beside(touch.outward), new Vec3());
-    u.mul(roomMm / u.length(), u);
-    Vec3 v = touch.outward.cross(u, new Vec3());
-    double edgeMm = bodies.shortestEdgeMm();
-    for (Vec3 side : new Vec3[] {new Vec3(), u, u.mul(-1, new Vec3()), v, v.mul(-1, new Vec3())}) {
-      Vec3 at = touch.at.add(side, new Vec3());
-      Vec3 clear = touch.outward.mul(CLEAR_EDGES * edgeMm, new Vec3()).add(at, new Vec3());
-      Vec3 deep = touch.outward.mul(-DEEP_EDGES * edgeMm, new Vec3()).add(at, new Vec3());
-      if (!lines.isSolid(fragment, deep) || !lines.isFree(clear, beyondBall(at, touch.outward))) {
-        return false;
-      }
-      if (roomMm == 0) {
-        return true;
-      }
-    }
-    return true;
-  }
-
-  /** Returns the point on a ray that leaves the ball around all bodies. */
-  private Vec3 beyondBall(Vec3 from, Vec3 direction) {
-    Vec3 offset = from.sub(middle, new Vec3());
-    double along = offset.dot(direction);
-    double r = aroundMm;
-    double root = Math.sqrt(Math.max(0, along * along - offset.dot(offset) + r * r));
-    return direction.mul(root - along, new Vec3()).add(from, new Vec3());
-  }
-
-  private Vec3 outside(Vec3 direction) {
-    Vec3 far = direction.mul(aroundMm / direction.length(), new Vec3());
-    return far.add(middle, far);
-  }
-
   /** Adds stops around the ball of all bodies, from the last stop to a point outside. */
   private void goAround(Vec3 to) {
-    Vec3 from = stops.get(stops.size() - 1).pose().translation.sub(middle, new Vec3());
-    Vec3 end = to.sub(middle, new Vec3());
-    for (int n = 1; n < PARTS_OF_A_PATH_AROUND; n++) {
-      double part = (double) n / PARTS_OF_A_PATH_AROUND;
-      Vec3 between = from.mul(1 - part, new Vec3()).add(end.mul(part, new Vec3()), new Vec3());
-      if (between.length() > 0) {
-        stops.add(free(outside(between)));
-      }
-    }
+    Vec3 from = stops.get(stops.size() - 1).pose().translation;
+    ball.between(from, to).forEach(point -> stops.add(free(point)));
   }
 
   private HandStop free(Vec3 position) {

@@ -80,7 +80,11 @@ class ReductionPlanTest {
     while (stops.get(aside).buttons() != 0) {
       aside += stops.get(aside).next();
     }
-    assertEquals(after, aside + 2, "both go on alike");
+    assertEquals(after, aside + 5, "both go on alike, the far hand around the bodies");
+    for (int n = aside; n <= after; n++) {
+      assertEquals(0, stops.get(n).buttons());
+      assertEquals(1, stops.get(n).next());
+    }
     Vec3 far = stops.get(aside).pose().translation.sub(home.pose().translation, new Vec3());
     assertTrue(far.length() > 80, "is out of the way: " + far);
   }
