@@ -25,6 +25,11 @@ public abstract class DeviceDecorator implements HapticDevice {
   }
 
   @Override
+  public boolean isReady() {
+    return device.isReady();
+  }
+
+  @Override
   public ReadStatus read(DeviceState state) {
     return device.read(state);
   }

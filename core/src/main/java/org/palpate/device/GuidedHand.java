@@ -93,6 +93,10 @@ public final class GuidedHand implements HapticDevice {
 
   private double arrivalSeconds;
   private long reads;
+
+  /** The reads before the first sample that was delivered. */
+  private long skippedReads;
+
   private volatile boolean closed;
 
   /**
@@ -118,16 +122,38 @@ public final class GuidedHand implements HapticDevice {
     this.tremor = tremor;
     this.intervalNanos = intervalNanos;
     correction = Math.min(1, CORRECTION_PER_MS * (intervalNanos / NANOS_PER_MS));
-    specification =
-        new DeviceSpecification(
-            "simulated",
-            "",
-            SimulatedDevice.MAX_FORCE_NEWTON,
-            SimulatedDevice.MAX_STIFFNESS_NEWTON_PER_MM,
-            radiusMm,
-            0,
-            true,
-            SimulatedDevice.MAX_TORQUE_NEWTON_MM);
+    specification = specification(radiusMm);
+  }
+
+  /**
+   * {@return the specification of every guided hand that reaches as far}
+   *
+   * @param radiusMm radius of the ball that the hand reaches
+   */
+  public static DeviceSpecification specification(double radiusMm) {
+    return new DeviceSpecification(
+        "simulated",
+        "",
+        SimulatedDevice.MAX_FORCE_NEWTON,
+        SimulatedDevice.MAX_STIFFNESS_NEWTON_PER_MM,
+        radiusMm,
+        0,
+        true,
+        SimulatedDevice.MAX_TORQUE_NEWTON_MM);
+  }
+
+  /**
+   * Lets the hand begin at a stop, with the motion and the tremor that it has there after the way
+   * from the first one. Call it before the first {@link #read}.
+   *
+   * @param index of a stop; the hand holds nothing on the way there
+   */
+  public void beginAt(int index) {
+    DeviceState unseen = new DeviceState();
+    while (stop < index && !hasArrived()) {
+      read(unseen);
+    }
+    skippedReads = reads;
   }
 
   @Override
@@ -158,7 +184,7 @@ public final class GuidedHand implements HapticDevice {
     state.positionMm.set(pose.translation);
     state.orientation.set(pose.rotation);
     state.buttons = stops.get(stop).buttons();
-    state.timeNanos = nanos;
+    state.timeNanos = nanos - skippedReads * intervalNanos;
     return ReadStatus.FRESH;
   }
 

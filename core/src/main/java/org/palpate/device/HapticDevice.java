@@ -14,6 +14,14 @@ public interface HapticDevice extends AutoCloseable {
   DeviceSpecification specification();
 
   /**
+   * {@return whether the device can deliver samples} Most devices can as soon as they are open. The
+   * first frame of a session waits until the device is ready. Haptic thread; never waits.
+   */
+  default boolean isReady() {
+    return true;
+  }
+
+  /**
    * Reads the newest sample. It waits for a fraction of a frame at most.
    *
    * @param state filled if the result is {@link ReadStatus#FRESH}; else unchanged

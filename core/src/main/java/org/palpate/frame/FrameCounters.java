@@ -1,6 +1,7 @@
 package org.palpate.frame;
 
 import java.util.Map;
+import java.util.OptionalLong;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import org.palpate.geometry.Vec3;
@@ -11,6 +12,8 @@ import org.palpate.geometry.Vec3;
  * <p>The haptic thread alone writes. Any thread may read the atomic fields while frames run.
  */
 final class FrameCounters {
+  private static final long NO_FRAME = -1;
+
   private final AtomicLong frames = new AtomicLong();
   private final AtomicLong forceBits = new AtomicLong();
   private final AtomicLong contact = new AtomicLong();
@@ -19,6 +22,7 @@ final class FrameCounters {
   private long freed;
   private long unreached;
   private long badOrientations;
+  private long firstHold = NO_FRAME;
   private double maxForceNewton;
   private double maxTorqueNewtonMm;
 
@@ -41,6 +45,13 @@ final class FrameCounters {
   /** Notes whether the device may exert a force or a torque after a write. Haptic thread. */
   void noteForce(boolean mayExert) {
     exerting.lazySet(mayExert);
+  }
+
+  /** Notes whether the present frame, which is not counted yet, took a body. Haptic thread. */
+  void noteHold(boolean tookBody) {
+    if (tookBody && firstHold == NO_FRAME) {
+      firstHold = lastFrame() + 1;
+    }
   }
 
   /** Counts a force that did not reach the device. Haptic thread. */
@@ -89,6 +100,7 @@ final class FrameCounters {
         freed,
         maxForceNewton,
         maxTorqueNewtonMm,
+        firstHold == NO_FRAME ? OptionalLong.empty() : OptionalLong.of(firstHold),
         skipped,
         new FrameStatistics.Faults(
             watchdog.held(),

@@ -1,6 +1,7 @@
 package org.palpate.frame;
 
 import java.util.Map;
+import java.util.OptionalLong;
 
 /**
  * The statistics of the frames of a session so far.
@@ -11,6 +12,8 @@ import java.util.Map;
  *     a change of solver that left it in one, or because the device jumped
  * @param maxForceNewton length of the longest force that was written
  * @param maxTorqueNewtonMm length of the longest torque that was written
+ * @param firstHold the number, from 0, of the first frame in which the hand held a body; empty if
+ *     it held none
  * @param skipped how often work was skipped, by {@link org.palpate.statistics.SkipKind#key}
  * @param faults faults of device and clocks
  */
@@ -20,6 +23,7 @@ public record FrameStatistics(
     long freed,
     double maxForceNewton,
     double maxTorqueNewtonMm,
+    OptionalLong firstHold,
     Map<String, Long> skipped,
     Faults faults) {
 

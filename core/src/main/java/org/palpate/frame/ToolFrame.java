@@ -186,6 +186,7 @@ public final class ToolFrame extends HapticFrame {
   private void holdChanged(int body, BodyEvent event) {
     grasp.force().change(requestedForce);
     heldBody = grasp.held();
+    counters.noteHold(event == BodyEvent.TAKEN);
     beginEffectsAnew();
     bodyReport.report(body, event);
   }

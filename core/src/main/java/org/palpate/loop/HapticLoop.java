@@ -3,11 +3,13 @@ package org.palpate.loop;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.palpate.frame.HapticFrame;
 
 /**
- * Owns the haptic thread: sets it up, warms it up, paces the frames, and ends with zero force.
+ * Owns the haptic thread: sets it up, warms it up, waits for the device, paces the frames, and ends
+ * with zero force.
  *
  * <pre>
  *   HapticLoop loop = new HapticLoop(frame, LoopSettings.ofRate(1000), end -> report(end));
@@ -32,7 +34,10 @@ public final class HapticLoop implements AutoCloseable {
   /** The name of the haptic thread. */
   public static final String THREAD_NAME = "palpate-haptic";
 
-  private static final int MAX_WARM_UP_WAITS = 10;
+  /** The time between two questions to a device that is not ready. */
+  private static final long READY_POLL_NANOS = 1_000_000;
+
+  private static final int MAX_PREPARATION_WAITS = 10;
 
   private final HapticFrame frame;
   private final LoopSettings settings;
@@ -41,13 +46,13 @@ public final class HapticLoop implements AutoCloseable {
   private final AtomicReference<LoopEnd> end = new AtomicReference<>();
   private final CountDownLatch ended = new CountDownLatch(1);
   private final Thread thread = new Thread(this::run, THREAD_NAME);
-  private final Object warmUpLock = new Object();
+  private final Object preparationLock = new Object();
 
-  /** Holds the thread that warms up now, or null. Guarded by {@link #warmUpLock}. */
-  private Thread warmingUp;
+  /** Holds the thread during {@link #prepare}, else null. Guarded by {@link #preparationLock}. */
+  private Thread preparing;
 
-  /** Says that no warm-up may begin or go on. Guarded by {@link #warmUpLock}. */
-  private boolean warmUpIsOver;
+  /** Says that no preparation may begin or go on. Guarded by {@link #preparationLock}. */
+  private boolean preparationIsOver;
 
   private volatile ThreadSetup.Granted granted = ThreadSetup.Granted.NOTHING;
 
@@ -82,7 +87,7 @@ public final class HapticLoop implements AutoCloseable {
     Throwable failure = null;
     try {
       granted = settings.threadSetup().setUp();
-      warmUp();
+      prepare();
       cause = pacedLoop.run();
     } catch (Throwable thrown) {
       failure = thrown;
@@ -90,32 +95,47 @@ public final class HapticLoop implements AutoCloseable {
     finish(cause, release(failure));
   }
 
-  /** Runs the warm-up. If {@link #stop} interrupts it, nothing after it is interrupted. */
-  private void warmUp() {
-    synchronized (warmUpLock) {
-      if (warmUpIsOver) {
+  /**
+   * Runs the warm-up and waits for the device. If {@link #stop} interrupts that, nothing after it
+   * is interrupted.
+   */
+  private void prepare() {
+    synchronized (preparationLock) {
+      if (preparationIsOver) {
         return;
       }
-      warmingUp = Thread.currentThread();
+      preparing = Thread.currentThread();
     }
     try {
       settings.warmUp().run();
+      awaitDevice();
     } finally {
-      synchronized (warmUpLock) {
-        warmingUp = null;
-        if (warmUpIsOver) {
+      synchronized (preparationLock) {
+        preparing = null;
+        if (preparationIsOver) {
           Thread.interrupted();
         }
       }
     }
   }
 
-  /** Interrupts a warm-up that runs, and keeps one from beginning later. */
-  private void endWarmUp() {
-    synchronized (warmUpLock) {
-      warmUpIsOver = true;
-      if (warmingUp != null) {
-        warmingUp.interrupt();
+  /** Waits until the device is ready. No frame follows an interrupted wait. */
+  private void awaitDevice() {
+    while (!frame.device().isReady()) {
+      LockSupport.parkNanos(this, READY_POLL_NANOS);
+      if (Thread.currentThread().isInterrupted()) {
+        pacedLoop.requestStop();
+        return;
+      }
+    }
+  }
+
+  /** Interrupts a preparation that runs, and keeps one from beginning later. */
+  private void endPreparation() {
+    synchronized (preparationLock) {
+      preparationIsOver = true;
+      if (preparing != null) {
+        preparing.interrupt();
       }
     }
   }
@@ -201,20 +221,20 @@ public final class HapticLoop implements AutoCloseable {
   /**
    * Stops the loop after its present frame and waits for the end. A second call does no harm.
    *
-   * <p>If the end does not come within {@code hangNanos}, the loop ends by force. A warm-up is
-   * interrupted and may take ten times as long.
+   * <p>If the end does not come within {@code hangNanos}, the loop ends by force. A warm-up and a
+   * wait for the device are interrupted and may take ten times as long.
    *
    * @return how the loop ended, now or before
    */
   public LoopEnd stop() {
     pacedLoop.requestStop();
-    endWarmUp();
+    endPreparation();
     if (thread.getState() == Thread.State.NEW) {
       finish(LoopEnd.Cause.STOPPED, null);
     }
     long patienceNanos = settings.hangNanos() + settings.periodNanos();
     for (int waits = 1; !awaitEnd(patienceNanos, TimeUnit.NANOSECONDS); waits++) {
-      if (pacedLoop.hasStarted() || waits == MAX_WARM_UP_WAITS) {
+      if (pacedLoop.hasStarted() || waits == MAX_PREPARATION_WAITS) {
         endByForce();
       }
     }

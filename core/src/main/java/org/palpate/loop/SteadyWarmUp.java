@@ -15,7 +15,8 @@ import java.util.function.LongConsumer;
  * waits longer for the second one than thousands of frames take.
  *
  * <p>The thread rests between two batches. A haptic thread of a real-time class would otherwise
- * keep a processor from the compiler that it waits for.
+ * keep a processor from the compiler that it waits for. While others prepare the session too, it
+ * rests for half of the time, so that they have a processor beside the compiler.
  */
 public final class SteadyWarmUp {
   private static final int FRAMES_A_BATCH = 500;
@@ -27,7 +28,7 @@ public final class SteadyWarmUp {
   /** Medians may always differ by this, because the clock has steps. */
   private static final long CLOCK_STEP_NANOS = 60;
 
-  /** The rest after a batch. */
+  /** The rest after a batch, unless others need a longer one. */
   private static final long REST_NANOS = 1_000_000;
 
   /** The time between two questions to the compiler, which stop the JVM for a moment. */
@@ -38,6 +39,7 @@ public final class SteadyWarmUp {
 
   private final NanoClock clock;
   private final BooleanSupplier compilerIsBusy;
+  private final BooleanSupplier othersPrepare;
   private final LongConsumer rest;
   private final long[] times = new long[FRAMES_A_BATCH];
   private final long[] medians = new long[STEADY_BATCHES];
@@ -56,12 +58,28 @@ public final class SteadyWarmUp {
    * @param clock measures the frames
    */
   public SteadyWarmUp(NanoClock clock) {
-    this(clock, new SecondCompiler(), LockSupport::parkNanos);
+    this(clock, () -> false);
   }
 
-  SteadyWarmUp(NanoClock clock, BooleanSupplier compilerIsBusy, LongConsumer rest) {
+  /**
+   * Makes a warm-up that uses the JVM's compiler and leaves time to others.
+   *
+   * @param clock measures the frames
+   * @param othersPrepare whether other threads still prepare the session; asked by the thread that
+   *     warms up
+   */
+  SteadyWarmUp(NanoClock clock, BooleanSupplier othersPrepare) {
+    this(clock, new SecondCompiler(), othersPrepare, LockSupport::parkNanos);
+  }
+
+  SteadyWarmUp(
+      NanoClock clock,
+      BooleanSupplier compilerIsBusy,
+      BooleanSupplier othersPrepare,
+      LongConsumer rest) {
     this.clock = clock;
     this.compilerIsBusy = compilerIsBusy;
+    this.othersPrepare = othersPrepare;
     this.rest = rest;
   }
 
@@ -81,12 +99,14 @@ public final class SteadyWarmUp {
     while (!steady
         && clock.nanoTime() - start < limitNanos
         && !Thread.currentThread().isInterrupted()) {
+      long begunNanos = clock.nanoTime();
       medians[batches % STEADY_BATCHES] = medianOfBatch(frame);
+      long workedNanos = clock.nanoTime() - begunNanos;
       batches++;
       askCompiler();
       steady = (long) batches * FRAMES_A_BATCH >= minFrames && isSteady();
       if (!steady) {
-        rest.accept(REST_NANOS);
+        rest.accept(othersPrepare.getAsBoolean() ? Math.max(workedNanos, REST_NANOS) : REST_NANOS);
       }
     }
     long frames = (long) batches * FRAMES_A_BATCH;

@@ -1,5 +1,7 @@
 package org.palpate.loop;
 
+import java.util.function.BooleanSupplier;
+import org.palpate.device.HapticDevice;
 import org.palpate.frame.FrameOutcome;
 import org.palpate.frame.HapticFrame;
 
@@ -12,7 +14,7 @@ import org.palpate.frame.HapticFrame;
  * if the thread is interrupted.
  *
  * <pre>
- *   settings.withWarmUp(WarmUp.ofSession(rehearsal))
+ *   settings.withWarmUp(WarmUp.ofSession(rehearsal, device))
  * </pre>
  */
 public final class WarmUp implements Runnable {
@@ -35,6 +37,7 @@ public final class WarmUp implements Runnable {
   private final int minFrames;
   private final long budgetNanos;
   private final NanoClock clock;
+  private final BooleanSupplier othersPrepare;
   private long frames;
   private boolean gone;
 
@@ -48,25 +51,42 @@ public final class WarmUp implements Runnable {
    * @param clock measures the time taken
    */
   public WarmUp(HapticFrame rehearsal, int minFrames, long budgetNanos, NanoClock clock) {
+    this(rehearsal, minFrames, budgetNanos, clock, () -> false);
+  }
+
+  private WarmUp(
+      HapticFrame rehearsal,
+      int minFrames,
+      long budgetNanos,
+      NanoClock clock,
+      BooleanSupplier othersPrepare) {
     this.rehearsal = rehearsal;
     this.minFrames = minFrames;
     this.budgetNanos = budgetNanos;
     this.clock = clock;
+    this.othersPrepare = othersPrepare;
   }
 
   /**
-   * {@return the warm-up of a session, which takes two seconds at most}
+   * {@return the warm-up of a session, which takes two seconds at most} As long as the device is
+   * not ready, it leaves half of the time to what prepares the device.
    *
    * @param rehearsal a frame over a simulated device with {@link #PERIOD_NANOS}; it reads the
    *     session's scene and has no edits
+   * @param device the device of the session, which the warm-up does not read
    */
-  public static WarmUp ofSession(HapticFrame rehearsal) {
-    return new WarmUp(rehearsal, SESSION_MIN_FRAMES, SESSION_BUDGET_NANOS, NanoClock.SYSTEM);
+  public static WarmUp ofSession(HapticFrame rehearsal, HapticDevice device) {
+    return new WarmUp(
+        rehearsal,
+        SESSION_MIN_FRAMES,
+        SESSION_BUDGET_NANOS,
+        NanoClock.SYSTEM,
+        () -> !device.isReady());
   }
 
   @Override
   public void run() {
-    new SteadyWarmUp(clock).run(this::rehearse, minFrames, budgetNanos);
+    new SteadyWarmUp(clock, othersPrepare).run(this::rehearse, minFrames, budgetNanos);
   }
 
   private void rehearse() {

@@ -76,6 +76,9 @@ public final class ReductionPlan {
   private final List<HandStop> stops = new ArrayList<>();
   private final List<Disassembly.Exit> exits = new ArrayList<>();
 
+  /** The stop from which the hand first goes straight to a fragment. */
+  private int firstApproach;
+
   /** The fragments that are not in place yet and can be cleared away. */
   private final List<Integer> scattered = new ArrayList<>();
 
@@ -124,6 +127,14 @@ public final class ReductionPlan {
   /** {@return the stops of the hand} */
   public List<HandStop> stops() {
     return List.copyOf(stops);
+  }
+
+  /**
+   * {@return the index of the stop from which the hand first goes straight to a fragment} Before it
+   * the hand touches nothing; 0 if it touches nothing at all.
+   */
+  public int firstApproach() {
+    return firstApproach;
   }
 
   /** {@return how the fragments came out of their places, in the reverse order of the plan} */
@@ -318,6 +329,9 @@ public final class ReductionPlan {
   private Pose take(Touch touch) {
     Vec3 far = ball.beyond(touch.at(), touch.outward());
     goAround(far);
+    if (firstApproach == 0) {
+      firstApproach = stops.size();
+    }
     stops.add(free(far));
     double depthMm = PRESS_EDGES * bodies.shortestEdgeMm();
     Vec3 pressed = touch.outward().mul(-depthMm, new Vec3()).add(touch.at(), new Vec3());

@@ -72,6 +72,34 @@ class GuidedHandTest {
   }
 
   @Test
+  void aHandThatBeginsAtAStopMovesAndTremblesAsOneThatCameThere() {
+    HandStop third = new HandStop(Pose.at(60, 40, 0), 0, 0.5, false);
+    List<HandStop> stops = List.of(FIRST, new HandStop(Pose.at(60, 0, 0), 0, 0, false), third);
+    GuidedHand came = new GuidedHand(stops, Tremor.ofHand(4), 100, MS);
+    GuidedHand begins = new GuidedHand(stops, Tremor.ofHand(4), 100, MS);
+    begins.beginAt(1);
+    read(came, 1101); // a rest of 0.1 s, then 60 mm
+    DeviceState other = new DeviceState();
+    for (int n = 0; n < 1500; n++) {
+      begins.read(other);
+      assertEquals(n * MS, other.timeNanos, "its clock begins with its first sample");
+      read(came, 1);
+      assertTrue(state.positionMm.sameBits(other.positionMm), "sample " + n);
+      assertTrue(state.orientation.sameBits(other.orientation), "sample " + n);
+    }
+    assertEquals(60, other.positionMm.x, 0.5);
+    assertEquals(40, other.positionMm.y, 0.5);
+  }
+
+  @Test
+  void aHandThatBeginsAtItsFirstStopIsUnchanged() {
+    GuidedHand hand = hand(Tremor.NONE);
+    hand.beginAt(0);
+    read(hand, 601);
+    assertEquals(30, state.positionMm.x, 1e-9, "is half way after the rest and half a second");
+  }
+
+  @Test
   void correctsByEyeWhatItHolds() {
     Pose goal = new Pose().set(new Vec3(3, 2, 1), TURNED);
     Pose grip = new Pose().set(new Vec3(0, 5, 0), new Quaternion());

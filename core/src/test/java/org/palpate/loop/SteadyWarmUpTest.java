@@ -15,6 +15,7 @@ class SteadyWarmUpTest {
   private long restedNanos;
   private long questions;
   private boolean compilerIsBusy;
+  private boolean othersPrepare;
   private int leastFrames;
 
   @Test
@@ -65,6 +66,27 @@ class SteadyWarmUpTest {
   }
 
   @Test
+  void restsAsLongAsItWorksWhileOthersPrepareTheSession() {
+    othersPrepare = true;
+    SteadyWarmUp.Result result =
+        run(
+            () -> {
+              now += FRAME_NANOS;
+              othersPrepare = frames < 1_000;
+            });
+    long batchNanos = 500 * FRAME_NANOS;
+    assertEquals(2_000, result.frames());
+    assertEquals(2 * batchNanos + 1_000_000, restedNanos, "two long rests and a short one");
+  }
+
+  @Test
+  void restsForAMillisecondAlthoughOthersPrepareAndABatchIsShort() {
+    othersPrepare = true;
+    SteadyWarmUp.Result result = run(() -> now += 1_000);
+    assertEquals((result.frames() / 500 - 1) * 1_000_000, restedNanos);
+  }
+
+  @Test
   void asksTheCompilerSeldomIfFramesAreShort() {
     run(() -> now += 1_000);
     assertEquals(2, questions, "they stop the JVM for a moment");
@@ -97,7 +119,7 @@ class SteadyWarmUpTest {
           frame.run();
           frames++;
         };
-    return new SteadyWarmUp(() -> now, this::askCompiler, this::rest)
+    return new SteadyWarmUp(() -> now, this::askCompiler, () -> othersPrepare, this::rest)
         .run(counted, leastFrames, LIMIT_NANOS);
   }
 

@@ -173,6 +173,26 @@ class ReductionPlanTest {
   }
 
   @Test
+  void theFirstApproachLeadsStraightToAFragmentAndNothingIsTouchedBefore() {
+    BodyScene scene = scene();
+    ReductionPlan plan = plan(scene());
+    List<HandStop> stops = plan.stops();
+    int first = plan.firstApproach();
+    assertTrue(first > 0, "it goes around the bone first");
+    FreeLines lines = new FreeLines(scene);
+    for (int n = 0; n < first; n++) {
+      assertEquals(0, stops.get(n).buttons(), "stop " + n);
+      assertTrue(
+          lines.isFree(stops.get(n).pose().translation, stops.get(n + 1).pose().translation),
+          "stop " + n);
+    }
+    Vec3 far = stops.get(first).pose().translation;
+    assertFalse(lines.isFree(far, stops.get(first + 1).pose().translation), "presses a fragment");
+    assertEquals(0, stops.get(first + 1).buttons());
+    assertEquals(DeviceState.FIRST_BUTTON, stops.get(first + 2).buttons(), "and takes hold of it");
+  }
+
+  @Test
   void theWidestWayLeadsOutOfAHole() {
     Body block = BlockWithHole.block();
     FreeLines lines = new FreeLines(new BodyScene(List.of(block)));
@@ -184,9 +204,12 @@ class ReductionPlanTest {
   }
 
   private List<HandStop> plan() {
-    BodyScene scene = scene();
+    return plan(scene()).stops();
+  }
+
+  private ReductionPlan plan(BodyScene scene) {
     List<Pose> truth = Collections.nCopies(4, new Pose());
-    return ReductionPlan.of(scene, truth, MovableShapes.ofPoints(scene), scene()).stops();
+    return ReductionPlan.of(scene, truth, MovableShapes.ofPoints(scene), scene());
   }
 
   private BodyScene scene() {

@@ -118,7 +118,7 @@ public final class TouchSession implements AutoCloseable {
     cuts = scene.carve().isPresent();
     HapticDevice hand = new SimulatedDevice(WARM_UP_SEED, scene.handTarget(), WarmUp.PERIOD_NANOS);
     Runnable warmUp =
-        WarmUp.ofSession(scene.newWarmUpFrame(hand, frameSettings, settings.elastic()));
+        WarmUp.ofSession(scene.newWarmUpFrame(hand, frameSettings, settings.elastic()), device);
     elastic = settings.elastic().map(Supplier::get);
     long sampleNanos = Math.max(settings.loop().periodNanos(), specification.reportIntervalNanos());
     elastic.ifPresent(body -> frame.deform(body.contact().paced(sampleNanos)));
@@ -159,7 +159,7 @@ public final class TouchSession implements AutoCloseable {
     tuning = ContactTuning.ofTool(frame, frameSettings.force(), specification);
     HapticDevice hand =
         SimulatedDevice.withOrientation(WARM_UP_SEED, scene.handTarget(), WarmUp.PERIOD_NANOS);
-    Runnable warmUp = WarmUp.ofSession(scene.newWarmUpFrame(hand, frameSettings, coupling));
+    Runnable warmUp = WarmUp.ofSession(scene.newWarmUpFrame(hand, frameSettings, coupling), device);
     loop = newLoop(frame, settings, warmUp);
     held = Optional.of(new HeldTool(scene, frame, publisher));
     mass = Optional.empty();

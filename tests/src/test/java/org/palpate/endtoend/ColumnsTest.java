@@ -43,6 +43,9 @@ class ColumnsTest {
   /** Keys that only a window or a picture has. */
   private static final Set<String> NEED_DISPLAY = Set.of("sync.first_picture_s", "draw_ms");
 
+  /** The empty list of displaced fragments, none of which faces another. */
+  private static final Set<String> NO_PAIRS = Set.of("fracture.pairs");
+
   @TempDir private Path folder;
 
   @Test
@@ -107,6 +110,14 @@ class ColumnsTest {
     seen.addAll(
         keys(report, replay(trajectory, "--mass", 0.1), common, "Reports of a point with mass"));
     seen.addAll(keys(report, touch(), common, "Reports of `touch`"));
+    Object[] reduction = {"touch", "--phantom", "fracture:64:2", "--headless", "--seconds", 0.3};
+    String[] ofReduction = {
+      "Reports of `touch`",
+      "Reports of `touch` with bodies to hold",
+      "Reports of a tool",
+      "Reports of fragments"
+    };
+    seen.addAll(keys(report, reduction, common, ofReduction, NO_PAIRS));
     Object[] info = {"info", "--phantom", "sphere:16"};
     seen.addAll(keys(report, info, common, "Reports of `info`"));
     Object[] render = {"render", "--phantom", "sphere:16", "--out", surface};

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
-import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -189,25 +188,6 @@ class DisplayFaultsTest {
 
   /** Whether the process has its drawing thread. */
   private static boolean draws(long process) throws IOException {
-    try (DirectoryStream<Path> threads =
-        Files.newDirectoryStream(Path.of("/proc/" + process + "/task"))) {
-      for (Path thread : threads) {
-        if (name(thread).startsWith("palpate-draw")) {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  private static String name(Path thread) throws IOException {
-    try {
-      return Files.readString(thread.resolve("comm"));
-    } catch (IOException e) {
-      if (Files.exists(thread)) {
-        throw e;
-      }
-      return ""; // The thread has ended, maybe after the file was opened: then the read fails.
-    }
+    return ProcessThreads.has(process, "palpate-draw");
   }
 }

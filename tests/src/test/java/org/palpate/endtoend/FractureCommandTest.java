@@ -10,7 +10,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.testing.Scans;
 
@@ -158,6 +161,45 @@ class FractureCommandTest {
         .mustSucceed();
     Map<String, String> json = FlatJson.read(report);
     assertTrue(Double.parseDouble(json.get("/fracture/residual_mm")) < 0.5, json.toString());
+    double heldAfter = Double.parseDouble(json.get("/first_hold_s"));
+    double forceOn = Double.parseDouble(json.get("/force_on_s"));
+    assertTrue(heldAfter > forceOn && heldAfter < forceOn + 12, heldAfter + " after " + forceOn);
+  }
+
+  /** The plan of this fracture takes many seconds, and the session waits for it. */
+  @Test
+  @EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: no /proc on this system")
+  void aSignalWhileTheHandIsPlannedEndsTheSessionInOrder()
+      throws IOException, InterruptedException {
+    Path out = folder.resolve("out.txt");
+    Path report = folder.resolve("r.json");
+    Process process =
+        CommandRun.inOwnJvm(
+                Path.of(System.getProperty("java.home")),
+                List.of(),
+                "touch",
+                "--phantom",
+                "fracture:256:8",
+                "--headless",
+                "--report",
+                report)
+            .redirectErrorStream(true)
+            .redirectOutput(out.toFile())
+            .start();
+    while (process.isAlive() && !ProcessThreads.has(process.pid(), "palpate-haptic")) {
+      Thread.onSpinWait();
+    }
+    process.destroy(); // SIGTERM, as Ctrl-C is SIGINT
+    assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process does not end");
+    String said = Files.readString(out);
+    assertEquals(0, process.exitValue(), said);
+    assertTrue(said.contains("planning how a simulated hand"), said);
+    assertFalse(said.contains("force is on"), said);
+    assertFalse(said.contains("Exception"), said);
+    Map<String, String> json = FlatJson.read(report);
+    assertEquals("stopped", json.get("/end"));
+    assertEquals("0", json.get("/frames"));
+    assertEquals("null", json.get("/force_on_s"));
   }
 
   @Test

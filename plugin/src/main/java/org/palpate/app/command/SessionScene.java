@@ -93,7 +93,8 @@ final class SessionScene {
 
   /**
    * Returns a simulated hand that puts the fragments of a bone back to where they rest, and then
-   * stays.
+   * stays. It begins on the straight line to its first fragment. Its plan is made in another thread,
+   * on bodies of its own.
    *
    * @param seed chooses the phases of its tremor
    * @param periodNanos time between two samples, positive
@@ -101,12 +102,18 @@ final class SessionScene {
   HapticDevice reducingHand(long seed, long periodNanos) {
     ToolScene tool = rigid.orElseThrow();
     BodyScene seen = tool.bodies();
+    BodyScene planned = scene.newBodies();
     List<Pose> truth = Collections.nCopies(seen.count(), new Pose());
-    return new GuidedHand(
-        ReductionPlan.of(scene.newBodies(), truth, tool.movableShapes(), seen).stops(),
-        Tremor.ofHand(seed),
-        handTarget().radiusMm(),
-        periodNanos);
+    double radiusMm = handTarget().radiusMm();
+    return new PlannedHand(
+        radiusMm,
+        () -> {
+          ReductionPlan plan = ReductionPlan.of(planned, truth, tool.movableShapes(), seen);
+          GuidedHand hand =
+              new GuidedHand(plan.stops(), Tremor.ofHand(seed), radiusMm, periodNanos);
+          hand.beginAt(plan.firstApproach());
+          return hand;
+        });
   }
 
   /** Returns placed bodies where the session has left them, and segments where they rest. */

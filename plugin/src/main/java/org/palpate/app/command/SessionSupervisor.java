@@ -3,6 +3,7 @@ package org.palpate.app.command;
 import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.palpate.app.process.ShutdownHook;
@@ -31,6 +32,7 @@ final class SessionSupervisor {
   private final boolean onTerminal = Terminal.isInteractive();
   private Optional<SessionView> view = Optional.empty();
   private long startNanos;
+  private long startMillis;
   private long endedNanos;
   private boolean troublePrinted;
   private boolean started;
@@ -143,6 +145,7 @@ final class SessionSupervisor {
     if (!started && session.status().frames() > 0) {
       started = true;
       startNanos = System.nanoTime();
+      startMillis = System.currentTimeMillis();
       lastLineNanos = startNanos;
       out.println("force is on; Ctrl-C ends the session");
       out.flush();
@@ -178,6 +181,11 @@ final class SessionSupervisor {
     if (onTerminal && started) {
       System.err.print("\r" + " ".repeat(60) + "\r");
     }
+  }
+
+  /** Returns when the force was switched on, ms since 1970; empty if it never was. */
+  OptionalLong forceOnMillis() {
+    return started ? OptionalLong.of(startMillis) : OptionalLong.empty();
   }
 
   /** Returns the time from force on to zero force, s. */

@@ -413,8 +413,7 @@ public final class TouchCommand implements Callable<Integer> {
           supervisor.run(view.flatMap(shown -> scene.readings(session, shown, listener)), fitting);
       link.ifPresent(SessionLink::pause);
       recording.finish();
-      return new TouchReport(
-          session, end, choice, opened, supervisor.seconds(), view, realtime.throttled());
+      return new TouchReport(session, end, choice, opened, supervisor, view, realtime.throttled());
     }
   }
 

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalLong;
 import org.palpate.app.options.DeviceChoice;
 import org.palpate.app.output.ElasticFields;
 import org.palpate.app.output.FaultFields;
@@ -28,7 +29,7 @@ final class TouchReport {
   private final LoopEnd end;
   private final DeviceChoice choice;
   private final HapticDevice device;
-  private final double watchedSeconds;
+  private final SessionSupervisor supervisor;
   private final Optional<SessionView> view;
   private final long throttled;
   private final LoopReport loop;
@@ -43,14 +44,14 @@ final class TouchReport {
       LoopEnd end,
       DeviceChoice choice,
       HapticDevice device,
-      double watchedSeconds,
+      SessionSupervisor supervisor,
       Optional<SessionView> view,
       long throttled) {
     this.session = session;
     this.end = end;
     this.choice = choice;
     this.device = device;
-    this.watchedSeconds = watchedSeconds;
+    this.supervisor = supervisor;
     this.view = view;
     this.throttled = throttled;
     loop = session.report();
@@ -60,6 +61,7 @@ final class TouchReport {
    * Returns 0 if the session ended regularly.
    *
    * @throws PalpateException exit code 1, if it failed
+   * @throws OutOfMemoryError if memory ran out
    */
   int exitCode() {
     if (session.endedByTrouble()) {
@@ -77,15 +79,20 @@ final class TouchReport {
    *
    * @param ending the reason that the device gives for its disconnection, or nothing
    * @throws PalpateException exit code 1, if it failed
+   * @throws OutOfMemoryError if memory ran out
    */
   static int exitCode(LoopEnd end, DeviceChoice choice, String ending) {
     switch (end.cause()) {
-      case FAILED ->
-          throw PalpateException.failed(
-              "the session failed (" + end.failure() + ")",
-              "device " + choice,
-              "run it again with --debug and report the output",
-              end.failure());
+      case FAILED -> {
+        if (end.failure() instanceof OutOfMemoryError tooLittle) {
+          throw tooLittle; // whoever runs the command says how to get more
+        }
+        throw PalpateException.failed(
+            "the session failed (" + end.failure() + ")",
+            "device " + choice,
+            "run it again with --debug and report the output",
+            end.failure());
+      }
       case HUNG ->
           throw PalpateException.failed(
               "no frame began for more than a second",
@@ -188,8 +195,25 @@ final class TouchReport {
         .put("skipped", skipped(counts))
         .put("faults", FaultFields.of(counts.faults()))
         .put("end", end.cause().name().toLowerCase(Locale.ROOT));
+    putStart(report, counts);
     session.mass().ifPresent(body -> report.put("mass", MassFields.of(body)));
     session.elastic().ifPresent(body -> report.put("elastic", ElasticFields.of(body)));
+  }
+
+  /**
+   * Adds when the force was switched on, and when the hand first held a body if it can hold one.
+   */
+  private void putStart(Report report, FrameStatistics counts) {
+    OptionalLong forceOn = supervisor.forceOnMillis();
+    report.put("force_on_s", forceOn.isPresent() ? secondsFromStart(forceOn.getAsLong()) : null);
+    if (session.canHold()) {
+      OptionalLong hold = counts.firstHold();
+      report.put(
+          "first_hold_s",
+          forceOn.isPresent() && hold.isPresent()
+              ? secondsFromStart(forceOn.getAsLong()) + secondsOf(hold.getAsLong())
+              : null);
+    }
   }
 
   private Map<String, Object> skipped(FrameStatistics counts) {
@@ -223,6 +247,7 @@ final class TouchReport {
   private Map<String, Object> sync() {
     SyncCounters counts = session.syncCounters();
     Map<String, Object> fields = new LinkedHashMap<>();
+    double watchedSeconds = supervisor.seconds();
     double tickRateHz = watchedSeconds > 0 ? session.ticks() / watchedSeconds : 0;
     fields.put("rate_hz", view.map(SessionView::rateHz).orElse(tickRateHz));
     fields.put("writes", counts.writes());

@@ -2,6 +2,7 @@ package org.palpate.app.command;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import org.junit.jupiter.api.Test;
@@ -23,6 +24,14 @@ class TouchReportTest {
             + " with --debug and report the output",
         end,
         "");
+  }
+
+  @Test
+  void memoryThatRanOutIsLeftToTheLineThatSaysHowToGetMore() {
+    OutOfMemoryError tooLittle = new OutOfMemoryError("Java heap space");
+    LoopEnd end = new LoopEnd(Cause.FAILED, tooLittle);
+    assertSame(
+        tooLittle, assertThrows(OutOfMemoryError.class, () -> TouchReport.exitCode(end, REAL, "")));
   }
 
   @Test
