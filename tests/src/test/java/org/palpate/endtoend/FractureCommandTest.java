@@ -226,6 +226,36 @@ class FractureCommandTest {
     }
   }
 
+  /** The option is named although --export is missing too, or the file, or bodies to fit. */
+  @Test
+  void anOptionThatIsNotUnderstoodIsNamedBeforeOneThatIsMissing() {
+    assertRefused("fracture not understood: --fracture 4:x", "--fracture", "4:x");
+    assertRefused(
+        "fracture not understood: --fracture 4:x", "--fracture", "4:x", "--volume", "missing.nrrd");
+    assertRefused("the split is not understood", "--split", "plane:1,2,3");
+    assertRefused("the split is not understood", "--split", "halves", "--fracture", "4");
+    assertRefused("the width of the gap", "--fit", "-1");
+    assertRefused("the width of the gap", "--fit", "-1", "--scene", "missing.json");
+    assertRefused("the box is not understood", "--crop", "1..2,x", "--phantom", "torus:64");
+    assertRefused(
+        "the box is not understood or leaves the volume",
+        "--crop",
+        "0..64,0..9,0..9",
+        "--phantom",
+        "torus:64");
+    assertRefused("the voxels are not understood", "--resample", "0", "--phantom", "torus:64");
+    assertRefused("the plane is not understood", "--mirror", "1,2,3", "--phantom", "sphere:16");
+    assertRefused("--raw 1x2", "--raw", "1x2");
+  }
+
+  private static void assertRefused(String expected, String... arguments) {
+    List<Object> info = new ArrayList<>(List.of("info"));
+    info.addAll(List.of(arguments));
+    String said = CommandRun.of(info.toArray()).mustRefuse();
+    assertTrue(said.contains(expected), said);
+    assertFalse(said.contains("without a file"), said);
+  }
+
   @Test
   void segmentsOfTheBrokenPhantomAreTouchedAsTheyAreChosen() throws IOException {
     Path report = folder.resolve("r.json");

@@ -85,7 +85,10 @@ public final class InfoCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     out = spec.commandLine().getOut();
+    fragments.checkText();
+    reassembly.checkGap();
     VolumeSource source = VolumeSource.open(volume);
+    reshape.check(source.reader(), volume.spacing());
     Report report = new Report("info", output.report(), source.files());
     checkExport(source);
     fragments.check(export);

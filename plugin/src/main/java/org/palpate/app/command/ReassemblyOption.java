@@ -33,13 +33,21 @@ final class ReassemblyOption {
   private Double gapMm;
 
   /**
-   * Checks the option.
+   * Checks the width of the gap.
+   *
+   * @throws PalpateException exit code 2, if it is out of range
+   */
+  void checkGap() {
+    GAP.checkGiven(gapMm);
+  }
+
+  /**
+   * Checks the option against the volume.
    *
    * @param hasBodies whether there are bodies with poses
-   * @throws PalpateException exit code 2, if there is nothing to fit, or the gap is too wide
+   * @throws PalpateException exit code 2, if there is nothing to fit
    */
   void check(boolean hasBodies) {
-    GAP.checkGiven(gapMm);
     if (gapMm != null && !hasBodies) {
       throw PalpateException.wrongUse(
           "there are no fragments to fit",

@@ -55,10 +55,24 @@ public final class FragmentOptions {
   }
 
   /**
-   * Checks the options.
+   * Checks what the options say, before their combination with others.
+   *
+   * @throws PalpateException exit code 2, if an option is not understood
+   */
+  public void checkText() {
+    if (isFracture()) {
+      spec();
+    }
+    if (split != null) {
+      checkSplit();
+    }
+  }
+
+  /**
+   * Checks the combination of options.
    *
    * @param export the file of the fragments, or null
-   * @throws PalpateException exit code 2, if an option is not understood or needs another
+   * @throws PalpateException exit code 2, if an option contradicts or needs another
    */
   public void check(Path export) {
     if (!isWanted()) {
@@ -71,11 +85,6 @@ public final class FragmentOptions {
     }
     if (export == null) {
       throw PalpateException.wrongUse("the fragments have no file", given, "add --export FILE");
-    }
-    if (isFracture()) {
-      spec();
-    } else {
-      checkSplit();
     }
   }
 

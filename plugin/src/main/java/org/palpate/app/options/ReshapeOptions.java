@@ -30,6 +30,16 @@ public final class ReshapeOptions {
   }
 
   /**
+   * Checks the options against the grid of a volume, without reading its values.
+   *
+   * @param spacing the voxels that {@code --resample} asks for, if any
+   * @throws VolumeFormatException if an option is not understood or leaves the volume
+   */
+  public void check(VolumeReader reader, Optional<String> spacing) throws VolumeFormatException {
+    applyTo(reader, spacing, true);
+  }
+
+  /**
    * Returns a reader of the cropped, then resampled, then mirrored volume.
    *
    * @param spacing the voxels that {@code --resample} asks for, if any

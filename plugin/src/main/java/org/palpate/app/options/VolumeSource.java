@@ -90,6 +90,7 @@ public final class VolumeSource {
    */
   public static VolumeSource open(VolumeOptions options) throws VolumeFormatException {
     List<SegmentSpec> requested = parseSegments(options.segments());
+    ReadOptions reading = readOptions(options);
     Optional<Path> file = options.volume();
     if (options.scene().isPresent()) {
       Path scene = options.scene().get();
@@ -106,10 +107,7 @@ public final class VolumeSource {
           "phantom " + phantom.spec(), new PhantomReader(phantom), Optional.of(phantom), requested);
     }
     return new VolumeSource(
-        file.get().toString(),
-        VolumeFiles.open(file.get(), readOptions(options)),
-        Optional.empty(),
-        requested);
+        file.get().toString(), VolumeFiles.open(file.get(), reading), Optional.empty(), requested);
   }
 
   /**
