@@ -3,10 +3,13 @@ package org.palpate.loop;
 import java.lang.management.CompilationMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
+import javax.management.InstanceNotFoundException;
 import javax.management.JMException;
 import javax.management.MBeanServer;
 import javax.management.ObjectName;
+import javax.management.ReflectionException;
 
 /**
  * Tells whether the JVM's second compiler, which makes the fast code, still has work.
@@ -26,16 +29,43 @@ final class SecondCompiler implements BooleanSupplier {
   private static final String WAITING = "(C2|JVMCI) compile queue:\\s*+(?!Empty)";
   private static final Pattern BUSY = Pattern.compile(AT_WORK + "|" + WAITING);
 
+  private final Supplier<MBeanServer> management;
   private long millisBefore;
 
+  /** Creates one that asks this JVM. */
+  SecondCompiler() {
+    this(ManagementFactory::getPlatformMBeanServer);
+  }
+
+  /** Creates one that asks for lists elsewhere; the first question needs the server. */
+  SecondCompiler(Supplier<MBeanServer> management) {
+    this.management = management;
+  }
+
+  /**
+   * Returns whether the compiler has work.
+   *
+   * @throws IllegalStateException if the JVM has a list and cannot give it
+   */
   @Override
   public boolean getAsBoolean() {
     try {
-      MBeanServer server = ManagementFactory.getPlatformMBeanServer();
-      return isBusy((String) server.invoke(new ObjectName(COMMANDS), LIST, null, null));
+      String list = (String) management.get().invoke(new ObjectName(COMMANDS), LIST, null, null);
+      return isBusy(list);
+    } catch (InstanceNotFoundException e) {
+      return hasCompiledMore(); // This JVM has no diagnostic commands.
+    } catch (ReflectionException e) {
+      if (e.getCause() instanceof NoSuchMethodException) {
+        return hasCompiledMore(); // Its diagnostic commands include no such list.
+      }
+      throw unreadable(e);
     } catch (JMException e) {
-      return hasCompiledMore(); // This JVM has no such list.
+      throw unreadable(e);
     }
+  }
+
+  private static IllegalStateException unreadable(JMException cause) {
+    return new IllegalStateException("the JVM does not list the methods to compile", cause);
   }
 
   /** Returns whether a list names a method that the second compiler compiles or shall compile. */

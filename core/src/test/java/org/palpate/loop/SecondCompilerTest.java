@@ -1,10 +1,22 @@
 package org.palpate.loop;
 
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import javax.management.Attribute;
+import javax.management.AttributeList;
+import javax.management.DynamicMBean;
+import javax.management.JMException;
+import javax.management.MBeanException;
+import javax.management.MBeanInfo;
+import javax.management.MBeanServer;
+import javax.management.MBeanServerFactory;
+import javax.management.ObjectName;
+import javax.management.ReflectionException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -58,6 +70,84 @@ class SecondCompilerTest {
     }
     while (compiler.getAsBoolean()) {
       Thread.sleep(1);
+    }
+  }
+
+  @Test
+  void aJvmWithoutDiagnosticCommandsIsAskedHowLongItHasCompiled() {
+    SecondCompiler compiler = new SecondCompiler(MBeanServerFactory::newMBeanServer);
+    assertTrue(compiler.getAsBoolean(), "it has compiled since it started");
+  }
+
+  @Test
+  void aJvmWithoutTheListIsAskedHowLongItHasCompiled() {
+    assertTrue(planted(new ReflectionException(new NoSuchMethodException())).getAsBoolean());
+  }
+
+  @Test
+  void anyOtherErrorOfTheListIsReportedWithItsCause() {
+    List<JMException> errors =
+        List.of(
+            new MBeanException(new IllegalStateException("the list is broken")),
+            new ReflectionException(new ClassNotFoundException("a parameter")));
+    for (JMException error : errors) {
+      SecondCompiler compiler = planted(error);
+      IllegalStateException failure =
+          assertThrows(IllegalStateException.class, compiler::getAsBoolean);
+      assertSame(error, failure.getCause());
+    }
+  }
+
+  /** Returns a compiler whose list is refused with an error. */
+  private static SecondCompiler planted(JMException error) {
+    MBeanServer server = MBeanServerFactory.newMBeanServer();
+    try {
+      server.registerMBean(
+          new Refusing(error), new ObjectName("com.sun.management:type=DiagnosticCommand"));
+    } catch (JMException e) {
+      throw new IllegalStateException(e);
+    }
+    return new SecondCompiler(() -> server);
+  }
+
+  /** Diagnostic commands that all end with an error. */
+  private static final class Refusing implements DynamicMBean {
+    private final JMException error;
+
+    Refusing(JMException error) {
+      this.error = error;
+    }
+
+    @Override
+    public Object invoke(String name, Object[] values, String[] signature)
+        throws MBeanException, ReflectionException {
+      if (error instanceof MBeanException thrown) {
+        throw thrown;
+      }
+      throw (ReflectionException) error;
+    }
+
+    @Override
+    public Object getAttribute(String name) {
+      return null;
+    }
+
+    @Override
+    public void setAttribute(Attribute attribute) {}
+
+    @Override
+    public AttributeList getAttributes(String[] names) {
+      return new AttributeList();
+    }
+
+    @Override
+    public AttributeList setAttributes(AttributeList attributes) {
+      return new AttributeList();
+    }
+
+    @Override
+    public MBeanInfo getMBeanInfo() {
+      return new MBeanInfo(Refusing.class.getName(), "", null, null, null, null);
     }
   }
 
