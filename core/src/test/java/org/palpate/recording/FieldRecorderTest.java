@@ -89,6 +89,74 @@ class FieldRecorderTest {
     }
   }
 
+  /** Nobody reads, as when the file could not be written. */
+  @Test
+  void updatesWithoutAReaderAreBoundedAndCountedAsLost() {
+    int fit = (FieldRecorder.MOST_CELLS - 1) / FieldRecorder.CELLS_AN_UPDATE;
+    for (int n = 0; n < fit + 100; n++) {
+      update(n);
+    }
+    assertEquals(100, recorder.overflows());
+    listener.used(fit - 1);
+    listener.used(fit + 50);
+    assertEquals(100, recorder.overflows(), "the use of a lost update is part of its loss");
+    recorder.drainTo(read::add);
+    assertEquals(fit, read.size());
+    assertEquals(fit - 1, read.get(fit - 1).point().x);
+  }
+
+  @Test
+  void cellsWithoutAReaderAreBoundedAndNoLaterUpdateIsKept() {
+    int halfOfAll = FieldRecorder.MOST_CELLS / 2;
+    refill(halfOfAll);
+    update(0);
+    refill(halfOfAll);
+    update(1);
+    listener.used(0);
+    listener.used(1);
+    recorder.drainTo(read::add);
+    update(2);
+    listener.used(2);
+    recorder.drainTo(read::add);
+    assertEquals(1, read.size(), "the second has no room, and the third continues it");
+    assertEquals(halfOfAll, read.get(0).refills().size());
+    assertEquals(2, recorder.overflows());
+  }
+
+  @Test
+  void anEditThatHasNoRoomAtAllIsLost() {
+    update(0);
+    refill(FieldRecorder.MOST_CELLS + 10);
+    update(1);
+    listener.used(1);
+    recorder.drainTo(read::add);
+    assertEquals(List.of(), read, "no use of the first update is known");
+    assertEquals(1, recorder.overflows());
+  }
+
+  @Test
+  void aReaderThatKeepsUpLosesNothingHoweverLongTheSessionIs() {
+    int rounds = 40;
+    for (int n = 0; n < rounds; n++) {
+      refill(FieldRecorder.MOST_CELLS / 10);
+      update(n);
+      listener.used(n);
+      recorder.drainTo(each -> read.add(withoutCells(each)));
+    }
+    assertEquals(0, recorder.overflows());
+    assertEquals(rounds, read.size());
+  }
+
+  private static RecordedUpdate withoutCells(RecordedUpdate update) {
+    return new RecordedUpdate(update.frame(), update.point(), update.forceNewton(), List.of());
+  }
+
+  private void refill(int cells) {
+    for (int cell = 0; cell < cells; cell++) {
+      listener.refilled(cell, SOFT);
+    }
+  }
+
   @Test
   void aLoadThatChangesLaterStaysAsItWas() {
     Vec3 point = new Vec3(1, 2, 3);

@@ -2,6 +2,7 @@ package org.palpate.host;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -12,7 +13,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.palpate.body.BodyEvent;
 import org.palpate.device.DeviceState;
+import org.palpate.elastic.UpdateListener;
+import org.palpate.elastic.lattice.CellStiffness;
 import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
 
 class TrajectoryRecordingTest {
   @TempDir private Path folder;
@@ -53,5 +57,25 @@ class TrajectoryRecordingTest {
     assertTrue(Files.readString(poses).contains("\n0,bone,"), Files.readString(poses));
     assertFalse(Files.exists(edits));
     assertFalse(Files.exists(fields));
+  }
+
+  @Test
+  void aRecordingThatLostUpdatesOfElasticSegmentsSaysSoAtItsEnd() throws IOException {
+    int moreThanFit = 1 << 22;
+    Path samples = folder.resolve("t.csv");
+    try (TrajectoryRecording recording = new TrajectoryRecording(samples, List.of("bone"))) {
+      recording.recorder().offer(new DeviceState());
+      UpdateListener updates = recording.fieldRecorder().listener(() -> 0);
+      CellStiffness soft = new CellStiffness(1, 1, 1, 1, 1);
+      for (int cell = 0; cell < moreThanFit; cell++) {
+        updates.refilled(cell, soft);
+      }
+      updates.updating(new Vec3(), new Vec3());
+      updates.updating(new Vec3(), new Vec3());
+      IOException loss = assertThrows(IOException.class, recording::finish);
+      assertEquals(
+          "2 updates of elastic segments were lost; a replay would differ", loss.getMessage());
+    }
+    assertTrue(Files.exists(samples), "what was recorded stays");
   }
 }
