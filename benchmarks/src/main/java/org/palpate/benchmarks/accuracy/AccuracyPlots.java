@@ -80,7 +80,7 @@ final class AccuracyPlots {
             .width(WIDTH)
             .height(HEIGHT)
             .title(title)
-            .xAxisTitle("distance along the surface, voxels")
+            .xAxisTitle("distance along the surface, mm")
             .yAxisTitle("angle of the force to the true normal, degrees")
             .build();
     Figures.plain(chart);
