@@ -24,7 +24,7 @@ import org.palpate.volume.VoxelGrid;
  * There the area that touches exactly decides. A search takes up to a few seconds. Its work is
  * bounded, and the same arguments give the same bits. One thread an instance, never the haptic one.
  */
-public final class GlobalFit {
+final class GlobalFit {
   /**
    * The largest displacement of a proposal from the present pose relative to the other fragment.
    */

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -20,7 +19,6 @@ import org.palpate.io.VolumeDigest;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.label.SegmentBuilder;
-import org.palpate.io.label.SegmentProposal;
 import org.palpate.io.label.SegmentSpec;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.label.ValueStatistics;
@@ -430,40 +428,11 @@ public final class VolumeSource {
 
   /** Returns arguments for the user to try. */
   public String suggestion(ValueStatistics.Summary found) {
-    List<String> suggestions = new ArrayList<>();
-    if (phantom.isPresent()) {
-      phantom
-          .get()
-          .thresholds()
-          .forEach(t -> suggestions.add(argument(t.name(), rounded(t.atLeast()))));
-    } else {
-      SegmentProposal.of(found)
-          .forEach(
-              proposal ->
-                  suggestions.add(
-                      argument(
-                          proposal.name(),
-                          proposal.isExact() ? proposal.atLeast() : rounded(proposal.atLeast()))));
-    }
-    return suggestions.isEmpty() ? "--segment all=nonzero" : String.join(" or ", suggestions);
+    return new SegmentSuggestion(phantom).arguments(found);
   }
 
   /** Returns the reason for the suggestion in brackets; empty for a phantom. */
   public String reason(ValueStatistics.Summary found) {
-    String reason = phantom.isPresent() ? "" : SegmentProposal.reason(found);
-    return reason.isEmpty() ? "" : " (" + reason + ")";
-  }
-
-  private static String argument(String name, double atLeast) {
-    return String.format(Locale.ROOT, "--segment '%s=>=%s'", name, NumberText.display(atLeast));
-  }
-
-  /** Rounds to three digits, because a threshold is only a suggestion. */
-  private static double rounded(double value) {
-    if (value == 0) {
-      return 0;
-    }
-    double unit = Math.pow(10, Math.floor(Math.log10(Math.abs(value))) - 2);
-    return unit >= 1 ? Math.rint(value / unit) * unit : Math.rint(value * (1 / unit)) / (1 / unit);
+    return new SegmentSuggestion(phantom).reason(found);
   }
 }
