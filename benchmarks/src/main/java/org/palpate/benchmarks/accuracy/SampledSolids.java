@@ -57,46 +57,17 @@ public final class SampledSolids {
             (int) (edgeMm / spacingMm.y),
             (int) (edgeMm / spacingMm.z));
     ScalarVolume volume = ScalarVolume.of(grid, Storage.INT16);
+    SampledVoxel voxel = new SampledVoxel(truth, spacingMm, SAMPLES_PER_MM);
     Vec3 corner = new Vec3();
     for (int k = 0; k < grid.sizeZ(); k++) {
       for (int j = 0; j < grid.sizeY(); j++) {
         for (int i = 0; i < grid.sizeX(); i++) {
           corner.set(i * spacingMm.x, j * spacingMm.y, k * spacingMm.z);
-          double solid = solidFraction(truth, corner, spacingMm);
-          volume.set(i, j, k, Math.rint(Phantom.SOLID_GREY * solid));
+          volume.set(i, j, k, Math.rint(Phantom.SOLID_GREY * voxel.solidFraction(corner)));
         }
       }
     }
     return volume;
-  }
-
-  private static double solidFraction(AnalyticSurface truth, Vec3 corner, Vec3 spacingMm) {
-    Vec3 at = spacingMm.mul(0.5, new Vec3());
-    at.add(corner, at);
-    double height = truth.signedDistance(at);
-    if (Math.abs(height) > spacingMm.length() / 2) {
-      return height < 0 ? 1 : 0;
-    }
-    int countX = samples(spacingMm.x);
-    int countY = samples(spacingMm.y);
-    int countZ = samples(spacingMm.z);
-    int solid = 0;
-    for (int z = 0; z < countZ; z++) {
-      for (int y = 0; y < countY; y++) {
-        for (int x = 0; x < countX; x++) {
-          at.set(
-              corner.x + (x + 0.5) / countX * spacingMm.x,
-              corner.y + (y + 0.5) / countY * spacingMm.y,
-              corner.z + (z + 0.5) / countZ * spacingMm.z);
-          solid += truth.signedDistance(at) < 0 ? 1 : 0;
-        }
-      }
-    }
-    return solid / (double) (countX * countY * countZ);
-  }
-
-  private static int samples(double edgeMm) {
-    return (int) Math.ceil(SAMPLES_PER_MM * edgeMm);
   }
 
   /** Returns the voxels whose grey value is at least half that of a solid. */
