@@ -22,9 +22,9 @@ import org.palpate.volume.phantom.Phantom;
 public final class EmbeddedView {
   private static final CountDownLatch CLOSED = new CountDownLatch(1);
 
-  /** Takes the number of seconds to run, at most; an hour without it. */
+  /** Takes the number of pictures after which it ends; without it, a person closes the window. */
   public static void main(String[] args) throws Exception {
-    long seconds = args.length == 0 ? 3600 : Long.parseLong(args[0]);
+    long pictures = args.length == 0 ? Long.MAX_VALUE : Long.parseLong(args[0]);
     ScenePanel panel = new ScenePanel();
     JFrame window = new JFrame("A program of your own");
     EventQueue.invokeAndWait(() -> show(window, panel));
@@ -43,9 +43,8 @@ public final class EmbeddedView {
                 ViewOptions.PLAIN.in(panel))) {
       session.start();
       view.start();
-      long endNanos = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
       boolean closed = false;
-      while (!closed && !session.supervise() && System.nanoTime() < endNanos) {
+      while (!closed && !session.supervise() && view.redraws() < pictures) {
         closed = CLOSED.await(33, TimeUnit.MILLISECONDS);
       }
       System.out.println(view.redraws() + " pictures; ended: " + session.stop().cause());

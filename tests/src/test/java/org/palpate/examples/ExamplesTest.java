@@ -9,9 +9,11 @@ import java.io.File;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -34,6 +36,8 @@ class ExamplesTest {
       Phantom.parse("sphere:64").segments().segments().get(0).bits();
   private static final Pattern POSITION = Pattern.compile("\\(([^,]+), ([^,]+), ([^)]+)\\)");
   private static final Pattern FORCE = Pattern.compile("([0-9.Ee-]+) N$");
+
+  private static final long PATIENCE_S = 300;
 
   @TempDir private Path folder;
 
@@ -167,6 +171,7 @@ class ExamplesTest {
   /** Skips where there is no Xvfb. */
   @Test
   void embeddedViewDrawsPictures() throws Exception {
+    Path printed = folder.resolve("printed.txt");
     try (XServer server = XServer.start()) {
       ProcessBuilder builder =
           new ProcessBuilder(
@@ -174,13 +179,17 @@ class ExamplesTest {
                   "-cp",
                   System.getProperty("java.class.path"),
                   EmbeddedView.class.getName(),
-                  "5")
-              .redirectErrorStream(true);
+                  "1")
+              .redirectErrorStream(true)
+              .redirectOutput(printed.toFile());
       builder.environment().put("DISPLAY", server.display());
       Process process = builder.start();
-      String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      boolean ended = process.waitFor(PATIENCE_S, TimeUnit.SECONDS);
+      process.destroyForcibly();
+      String out = Files.readString(printed);
 
-      assertEquals(0, process.waitFor(), out);
+      assertTrue(ended, () -> "no picture; printed: " + out);
+      assertEquals(0, process.exitValue(), out);
       assertTrue(out.contains(" pictures; ended: STOPPED"), out);
       assertFalse(out.startsWith("0 pictures"), out);
     }
