@@ -27,13 +27,14 @@ import org.palpate.volume.phantom.Phantom;
 
 /**
  * Checks that any damaged file is read or refused in one line, without another exception, a hang,
- * or memory out of proportion. Samples are damaged at random, for {@value #SECONDS} s a format,
- * unless {@code -Dpalpate.fuzz.seconds=60} says otherwise; {@code -Dpalpate.seed} repeats a run
- * case by case, and a file that fails is kept in {@code target}.
+ * or memory out of proportion. Samples are damaged at random, {@value #FILES} files a format, or
+ * with {@code -Dpalpate.fuzz.seconds=60} as many as that time lets; {@code -Dpalpate.seed} repeats
+ * a run case by case, and a file that fails is kept in {@code target}.
  */
 @Timeout(value = 30, unit = TimeUnit.MINUTES, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ReaderFuzzTest {
-  private static final int SECONDS = 5;
+  private static final int FILES = 5_000;
+  private static final Integer SECONDS = Integer.getInteger("palpate.fuzz.seconds");
   private static final long LARGEST_SAMPLE = 25_000;
 
   /** Decompression multiplies by a thousand, and a byte can become a double. */
@@ -127,8 +128,7 @@ class ReaderFuzzTest {
   private void fuzz(String format, List<Path> samples) throws IOException {
     assumeTrue(!samples.isEmpty(), "skipped: no samples of " + format);
     Random random = new Random(seed);
-    int seconds = Integer.getInteger("palpate.fuzz.seconds", SECONDS);
-    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds);
+    long start = System.nanoTime();
     int refused = 0;
     int cases = 0;
     long longest = 0;
@@ -136,7 +136,7 @@ class ReaderFuzzTest {
     for (Path sample : samples) {
       contents.add(Files.readAllBytes(sample));
     }
-    for (long now = System.nanoTime(); now < end; cases++) {
+    for (long now = start; goesOn(cases, now - start); cases++) {
       int which = random.nextInt(samples.size());
       byte[] spoiled = FileMutator.spoil(contents.get(which), random);
       String name = samples.get(which).getFileName().toString();
@@ -152,6 +152,10 @@ class ReaderFuzzTest {
         cases,
         refused,
         TimeUnit.NANOSECONDS.toMillis(longest));
+  }
+
+  private static boolean goesOn(int cases, long nanos) {
+    return SECONDS == null ? cases < FILES : nanos < TimeUnit.SECONDS.toNanos(SECONDS);
   }
 
   /** Returns whether the file was read; otherwise it was refused. */
