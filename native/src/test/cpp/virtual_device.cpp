@@ -47,11 +47,12 @@ int VirtualDevice::serve(const char* name, char** command) {
   pose.quaternion[3] = 32767;
   palpate_motors motors = {};
   const long start = nowNanos();
+  uint32_t micros = 0;
   long openedMillis = -1;
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
     const long millis = nextMillisecond(start);
-    const auto micros = static_cast<uint32_t>(millis * 1000);
+    micros += 1000;
     const int reports = receive(micros);
     openedMillis = reports > 0 && openedMillis < 0 ? millis : openedMillis;
     moveHand(pose, openedMillis < 0 ? 0 : static_cast<double>(millis - openedMillis) / 1000);
@@ -63,7 +64,7 @@ int VirtualDevice::serve(const char* name, char** command) {
       felt.note(motors, reports);
     }
   }
-  const auto micros = static_cast<uint32_t>((nowNanos() - start) / 1000);
+  micros += 1000;
   receive(micros);
   palpate_device_motors(&firmware_, micros, &motors);
   felt.say(name, firmware_, motors);

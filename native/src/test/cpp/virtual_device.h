@@ -6,7 +6,9 @@
 
 /**
  * A hand-built device that another program finds: the example firmware, and a hand that moves it at
- * 1 kHz. Subclasses connect it to the host's side of HID. One thread.
+ * 1 kHz. The firmware's clock advances by a millisecond with each report: while a busy machine
+ * keeps this process waiting it stands still, and no watchdog trips. Subclasses connect the device
+ * to the host's side of HID. One thread.
  */
 class VirtualDevice {
  public:
