@@ -61,7 +61,7 @@ class RealImagejTest {
     writeFiles();
     RealImagej.Seen seen =
         RealImagej.plain(folder)
-            .with("probe.seconds", 10)
+            .with("probe.seconds", 2)
             .play(display, "menu", "dialog", "record", "touch");
     checkEnd(seen);
     assertEquals("1.54p", seen.of("version"));
