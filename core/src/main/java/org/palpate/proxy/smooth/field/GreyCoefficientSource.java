@@ -68,11 +68,11 @@ final class GreyCoefficientSource implements CoefficientSource {
   }
 
   private static GreyOccupancyCache cache(ThinGrid grid, GreyIsosurfaceSource grey) {
-    GreyOccupancyCache cache = new GreyVoxels(grey);
+    GreyOccupancyCache.Source source = new GreyVoxels(grey);
     for (AxisCut cut : grid.cuts()) {
-      cache = new ThinOccupancies(cut, cache);
+      source = new ThinOccupancies(cut, source);
     }
-    return cache;
+    return new GreyOccupancyCache(source);
   }
 
   @Override

@@ -1,30 +1,36 @@
 package org.palpate.proxy.smooth.field;
 
-import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
 import org.palpate.volume.ScalarVolume;
 
 /**
- * A cache of the occupancies of cells, a byte each. Windows that move by a few cells read only the
- * cells that came in. Call {@link #forget} after any change of solids or grey values.
+ * A cache of the occupancies of cells, a byte each. A window finds what earlier ones have read, so
+ * that a cell is filled once and not for each window. Call {@link #forget} after any change of
+ * solids or grey values.
  *
  * <pre>
- *   ring buffer of 16 planes of 16 rows; row j of plane k is kept at (k mod 16, j mod 16)
- *   row    two words that lie side by side along x, the one of even number first
- *   word n voxels 8 n to 8 n + 7, the first in the lowest byte
+ *   block   8x8x8 cells that begin at multiples of 8, in 64 words
+ *   word    bit 8 (k mod 8) + (j mod 8) of a block: eight cells along x, the first in the lowest
+ *           byte
  * </pre>
+ *
+ * <p>A block gets a word when a window needs it.
  */
-abstract class GreyOccupancyCache {
+final class GreyOccupancyCache {
   /** The byte that stands for occupancy 1. */
   static final int WHOLE = 255;
 
-  /** The edge of what is read at once, in cells. */
+  /** The edge of what is read at once, and of a block, in cells. */
   static final int EDGE = ScalarVolume.LEVELS;
 
-  private static final int RING = 16;
-  private static final int RING_MASK = RING - 1;
-  private static final int WORDS = 2;
-  private static final int NONE = Integer.MIN_VALUE;
+  private static final int SHIFT = 3;
+  private static final int MASK = EDGE - 1;
+
+  /** The words of a block. */
+  private static final int WORDS = EDGE * EDGE;
+
+  /** The cached blocks along each axis: 128 cells. */
+  private static final int BLOCKS = 16;
 
   private static final long TOP_BITS = 0x8080_8080_8080_8080L;
   private static final long ONE_A_BYTE = 0x0101_0101_0101_0101L;
@@ -32,35 +38,43 @@ abstract class GreyOccupancyCache {
   /** Bit n of byte n. */
   private static final long DIAGONAL = 0x8040_2010_0804_0201L;
 
-  private final long[] ring = new long[RING * RING * WORDS];
+  private final Source source;
+  private final CacheKeys keys = new CacheKeys(BLOCKS);
 
-  /** The k that each plane of the ring holds. */
-  private final int[] planeK = new int[RING];
+  /** The words of each block. */
+  private final long[] words = new long[WORDS * keys.slots()];
 
-  /** The number of the lower of the two words that each plane holds. */
-  private final int[] planeWord = new int[RING];
+  /** The words that each block has, a bit each. */
+  private final long[] known = new long[keys.slots()];
 
-  /** The first row that each plane holds. */
-  private final int[] firstRow = new int[RING];
+  /** Gives the occupancies of cells. */
+  interface Source {
+    /**
+     * Returns the occupancies of the cells from (8 word, j, k) on along x, a byte each, the first
+     * in the lowest byte.
+     *
+     * @param scene the same one since {@link #forget}
+     */
+    long occupancies(CollisionScene scene, int word, int j, int k);
 
-  /** The row behind the last one that each plane holds. */
-  private final int[] endRow = new int[RING];
+    /**
+     * Fetches a value of a row that will be asked for soon, if it lies far away in memory. The
+     * memory then brings the values of several rows at the same time.
+     */
+    default void fetch(int word, int j, int k) {}
 
-  GreyOccupancyCache() {
-    Arrays.fill(planeK, NONE);
+    /** Forgets all occupancies and takes the present grey values. */
+    void forget();
   }
 
-  /**
-   * Returns the occupancies of the cells from (8 word, j, k) on along x, a byte each, the first in
-   * the lowest byte.
-   *
-   * @param scene the same one since {@link #forget}
-   */
-  abstract long occupancies(CollisionScene scene, int word, int j, int k);
+  GreyOccupancyCache(Source source) {
+    this.source = source;
+  }
 
-  /** Forgets all occupancies and takes the present grey values. */
+  /** Forgets all occupancies; the source takes the present grey values. */
   void forget() {
-    Arrays.fill(planeK, NONE);
+    source.forget();
+    keys.forget();
   }
 
   /**
@@ -70,92 +84,68 @@ abstract class GreyOccupancyCache {
    * @param scene the same one since {@link #forget}
    */
   void read(CollisionScene scene, int x, int y, int z, long[] dest) {
-    int word = x >> 3;
-    int shift = (x & 7) << 3;
-    int lower = word & 1;
-    for (int k = z; k < z + EDGE; k++) {
-      if (!holds(k & RING_MASK, word, y, k)) {
-        fetchRows(k & RING_MASK, word, y, k);
+    for (int blockZ = z >> SHIFT; EDGE * blockZ < z + EDGE; blockZ++) {
+      for (int blockY = y >> SHIFT; EDGE * blockY < y + EDGE; blockY++) {
+        readRows(scene, x, y, z, blockY, blockZ, dest);
       }
     }
-    int to = 0;
-    for (int k = z; k < z + EDGE; k++) {
-      int plane = k & RING_MASK;
-      if (!holds(plane, word, y, k)) {
-        fill(plane, word, y, k, scene);
-      }
-      for (int j = y; j < y + EDGE; j++) {
-        int row = (plane * RING | (j & RING_MASK)) * WORDS;
+  }
+
+  /** Writes those rows that lie in the blocks of one y and z. */
+  private void readRows(
+      CollisionScene scene, int x, int y, int z, int blockY, int blockZ, long[] dest) {
+    int word = x >> SHIFT;
+    int shift = Byte.SIZE * (x & MASK);
+    int fromJ = Math.max(y, EDGE * blockY);
+    int endJ = Math.min(y + EDGE, EDGE * (blockY + 1));
+    int fromK = Math.max(z, EDGE * blockZ);
+    int endK = Math.min(z + EDGE, EDGE * (blockZ + 1));
+    long needed = bits(fromJ & MASK, (endJ - 1) & MASK, fromK & MASK, (endK - 1) & MASK);
+    int lower = WORDS * slot(scene, word, blockY, blockZ, needed);
+    int upper = shift == 0 ? lower : WORDS * slot(scene, word + 1, blockY, blockZ, needed);
+    for (int k = fromK; k < endK; k++) {
+      int row = EDGE * (k & MASK);
+      int to = EDGE * (k - z) - y;
+      for (int j = fromJ; j < endJ; j++) {
+        int at = row | (j & MASK);
         // In two shifts, because the upper word has to move by 64 bits where the shift is 0.
-        dest[to++] = ring[row + lower] >>> shift | ring[row + 1 - lower] << 1 << (63 - shift);
+        dest[to + j] = words[lower + at] >>> shift | words[upper + at] << 1 << (63 - shift);
       }
     }
   }
 
-  /** Whether a plane holds two words of the rows from y on. */
-  private boolean holds(int plane, int word, int y, int k) {
-    return planeK[plane] == k
-        && planeWord[plane] == word
-        && firstRow[plane] <= y
-        && endRow[plane] >= y + EDGE;
+  /** Returns the words of a block from one row and layer to another, a bit each. */
+  private static long bits(int firstJ, int lastJ, int firstK, int lastK) {
+    long rows = (2L << lastJ) - (1L << firstJ);
+    long layers = (-1L >>> (EDGE * (MASK - lastK))) & (-1L << (EDGE * firstK));
+    return rows * ONE_A_BYTE & layers;
   }
 
-  /** Fetches what {@link #fill} will read. */
-  private void fetchRows(int plane, int word, int y, int k) {
-    boolean holdsSome = planeK[plane] == k && planeWord[plane] == word;
-    for (int j = y; j < y + EDGE; j++) {
-      if (!holdsSome || j < firstRow[plane] || j >= endRow[plane]) {
-        fetch(word, j, k);
-      }
+  /** Returns the slot that holds a block with at least some words, a bit each. */
+  private int slot(CollisionScene scene, int word, int blockY, int blockZ, long needed) {
+    int slot = keys.slot(word, blockY, blockZ);
+    if (!keys.holdsElseSet(slot, word, blockY, blockZ)) {
+      known[slot] = 0;
     }
-  }
-
-  /**
-   * Fetches a value of a row that will be read soon, if it lies far away in memory. The memory then
-   * brings the values of several rows at the same time.
-   */
-  void fetch(int word, int j, int k) {}
-
-  /** Makes a plane hold two words of the rows from y on; keeps the rows that it holds already. */
-  private void fill(int plane, int word, int y, int k, CollisionScene scene) {
-    boolean overlaps = planeK[plane] == k && firstRow[plane] <= y + EDGE && endRow[plane] >= y;
-    int wordsAhead = word - planeWord[plane];
-    if (!overlaps || Math.abs(wordsAhead) > 1) {
-      firstRow[plane] = y;
-      endRow[plane] = y;
-    } else if (wordsAhead != 0) {
-      firstRow[plane] = Math.max(firstRow[plane], y);
-      endRow[plane] = Math.min(endRow[plane], y + EDGE);
-      for (int j = firstRow[plane]; j < endRow[plane]; j++) {
-        readWord(plane, wordsAhead > 0 ? word + 1 : word, j, k, scene);
-      }
+    long missing = needed & ~known[slot];
+    if (missing != 0) {
+      known[slot] |= missing;
+      fill(scene, slot, word, EDGE * blockY, EDGE * blockZ, missing);
     }
-    planeK[plane] = k;
-    planeWord[plane] = word;
-    for (int j = endRow[plane]; j < y + EDGE; j++) {
-      readRow(plane, word, j, k, scene);
+    return slot;
+  }
+
+  /** Fills some words of the block from (8 word, y, z) on, a bit each. */
+  private void fill(CollisionScene scene, int slot, int word, int y, int z, long missing) {
+    for (long left = missing; left != 0; left &= left - 1) {
+      int bit = Long.numberOfTrailingZeros(left);
+      source.fetch(word, y + (bit & MASK), z + (bit >> SHIFT));
     }
-    for (int j = y; j < firstRow[plane]; j++) {
-      readRow(plane, word, j, k, scene);
+    for (long left = missing; left != 0; left &= left - 1) {
+      int bit = Long.numberOfTrailingZeros(left);
+      words[WORDS * slot + bit] =
+          source.occupancies(scene, word, y + (bit & MASK), z + (bit >> SHIFT));
     }
-    setRows(plane, Math.min(y, firstRow[plane]), Math.max(y + EDGE, endRow[plane]), y);
-  }
-
-  /** Notes which rows a plane holds; rows that the ring buffer has overwritten drop out. */
-  private void setRows(int plane, int first, int end, int y) {
-    boolean grewUp = end > endRow[plane];
-    firstRow[plane] = grewUp ? Math.max(first, end - RING) : first;
-    endRow[plane] = grewUp ? end : Math.min(end, first + RING);
-    assert firstRow[plane] <= y && endRow[plane] >= y + EDGE : "the plane lacks rows: y=" + y;
-  }
-
-  private void readRow(int plane, int word, int j, int k, CollisionScene scene) {
-    readWord(plane, word, j, k, scene);
-    readWord(plane, word + 1, j, k, scene);
-  }
-
-  private void readWord(int plane, int word, int j, int k, CollisionScene scene) {
-    ring[(plane * RING | (j & RING_MASK)) * WORDS | (word & 1)] = occupancies(scene, word, j, k);
   }
 
   /** Returns eight bytes, each of ones if its bit is set and else 0; the lowest bit's is lowest. */

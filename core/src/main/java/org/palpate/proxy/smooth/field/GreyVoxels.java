@@ -12,7 +12,7 @@ import org.palpate.volume.VoxelGrid;
  * <p>Where an edit changed bits, the bits count: an added voxel has full occupancy, and a removed
  * one has none.
  */
-final class GreyVoxels extends GreyOccupancyCache {
+final class GreyVoxels implements GreyOccupancyCache.Source {
   private static final int NONE = Integer.MIN_VALUE;
   private static final long TOP_BITS = 0x8080_8080_8080_8080L;
 
@@ -39,17 +39,12 @@ final class GreyVoxels extends GreyOccupancyCache {
   GreyVoxels(GreyIsosurfaceSource source) {
     this.source = source;
     grid = source.grid();
-    takeValues();
+    forget();
   }
 
+  /** Forgets the bricks, and takes the present values of the source. */
   @Override
-  void forget() {
-    super.forget();
-    takeValues();
-  }
-
-  /** Takes the present values of the source, and forgets the bricks. */
-  private void takeValues() {
+  public void forget() {
     GreyIsosurface now = source.now();
     volume = now.volume();
     quantizer = now.quantizer();
@@ -57,7 +52,7 @@ final class GreyVoxels extends GreyOccupancyCache {
   }
 
   @Override
-  void fetch(int word, int j, int k) {
+  public void fetch(int word, int j, int k) {
     int i = word << 3;
     if (grid.contains(i, j, k)) {
       fetched += volume.value(i, j, k);
@@ -65,7 +60,7 @@ final class GreyVoxels extends GreyOccupancyCache {
   }
 
   @Override
-  long occupancies(CollisionScene scene, int word, int j, int k) {
+  public long occupancies(CollisionScene scene, int word, int j, int k) {
     long fromGrey = levels(word << 3, j, k);
     int solid = solidVoxels(word, j, k, scene);
     int above = (int) (((fromGrey & TOP_BITS) * GATHER) >>> 56);
@@ -102,7 +97,7 @@ final class GreyVoxels extends GreyOccupancyCache {
 
   /** Returns the occupancies with those of {@code wrong} voxels taken from the bits. */
   private static long corrected(long occupancies, int solid, int wrong) {
-    long wrongBytes = bytesOf(wrong);
-    return (occupancies & ~wrongBytes) | (wrongBytes & bytesOf(solid));
+    long wrongBytes = GreyOccupancyCache.bytesOf(wrong);
+    return (occupancies & ~wrongBytes) | (wrongBytes & GreyOccupancyCache.bytesOf(solid));
   }
 }

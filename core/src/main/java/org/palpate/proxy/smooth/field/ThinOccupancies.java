@@ -10,7 +10,9 @@ import org.palpate.volume.LevelGradients;
  * cell lies in one voxel or in two; what is solid of a voxel that is partly solid, {@link
  * PartialVoxels} knows. Cost: some twenty operations for each cell in or beside such a voxel.
  */
-final class ThinOccupancies extends GreyOccupancyCache {
+final class ThinOccupancies implements GreyOccupancyCache.Source {
+  private static final int EDGE = GreyOccupancyCache.EDGE;
+  private static final int WHOLE = GreyOccupancyCache.WHOLE;
   private static final long ONE_A_BYTE = 0x0101_0101_0101_0101L;
 
   /** A part of a voxel thinner than this comes from rounding. */
@@ -36,20 +38,19 @@ final class ThinOccupancies extends GreyOccupancyCache {
    *
    * @param voxels the voxels, or what an earlier cut along another axis made of them
    */
-  ThinOccupancies(AxisCut cut, GreyOccupancyCache voxels) {
+  ThinOccupancies(AxisCut cut, GreyOccupancyCache.Source voxels) {
     this.cut = cut;
     this.voxels = new PartialVoxels(cut.axis(), voxels);
     Arrays.fill(cells, NONE);
   }
 
   @Override
-  void forget() {
-    super.forget();
+  public void forget() {
     voxels.forget();
   }
 
   @Override
-  long occupancies(CollisionScene scene, int word, int j, int k) {
+  public long occupancies(CollisionScene scene, int word, int j, int k) {
     return cut.axis() == 0 ? alongX(scene, word, j, k) : acrossX(scene, word, j, k);
   }
 
@@ -178,12 +179,12 @@ final class ThinOccupancies extends GreyOccupancyCache {
     private static final int BYTE = 0xFF;
 
     /** The words of cached voxels along each axis. */
-    private static final int CACHE_EDGE = 32;
+    private static final int CACHE_EDGE = 16;
 
     private final int stepX;
     private final int stepY;
     private final int stepZ;
-    private final GreyOccupancyCache voxels;
+    private final GreyOccupancyCache.Source voxels;
     private final CacheKeys keys = new CacheKeys(CACHE_EDGE);
     private final long[] words = new long[keys.slots()];
 
@@ -204,7 +205,7 @@ final class ThinOccupancies extends GreyOccupancyCache {
      * @param axis the axis of the cut
      * @param voxels gives the voxels
      */
-    PartialVoxels(int axis, GreyOccupancyCache voxels) {
+    PartialVoxels(int axis, GreyOccupancyCache.Source voxels) {
       stepX = axis == 0 ? 1 : 0;
       stepY = axis == 1 ? 1 : 0;
       stepZ = axis == 2 ? 1 : 0;

@@ -45,10 +45,16 @@ class GreyOccupancyTest {
   /** The error of a level from the ramps of voxels, which are kept as floats. */
   private static final double OF_SINGLE_PRECISION = 1e-3;
 
+  /** The cells along x between blocks of cells that share a slot, see {@link CacheKeys}. */
+  private static final int SAME_SLOT_X = 128;
+
+  /** The cells along z between them. */
+  private static final int SAME_SLOT_Z = 72;
+
   private final Random random = new Random(SEED);
 
   /** The voxels, and the cells after one and two cuts. */
-  private final List<GreyOccupancyCache> caches = new ArrayList<>();
+  private final List<GreyOccupancyCache.Source> sources = new ArrayList<>();
 
   /** The occupancies of the voxels and cells of one grid that were checked. */
   private final Map<String, Double> thinCells = new HashMap<>();
@@ -83,6 +89,49 @@ class GreyOccupancyTest {
     Vec3 spacing = new Vec3(1, 1, 1);
     spacing.set(axis, 2.7);
     compareWithFresh(volume(Storage.INT16, 0.02), GridMetric.of(spacing), 600);
+  }
+
+  /**
+   * Places that lie {@link #SAME_SLOT_X} and {@link #SAME_SLOT_Z} cells apart take blocks of the
+   * cache from each other.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 2})
+  void answersDoNotDependOnEvaluationsOfCellsWithTheSameSlots(double z) {
+    GridMetric metric = new GridMetric(1, 1, z);
+    VoxelGrid wide = VoxelGrid.ofUnitVoxels(SAME_SLOT_X + 40, 30, SAME_SLOT_Z + 40);
+    ScalarVolume volume = ScalarVolume.of(wide, Storage.INT16);
+    BitCube solids = new BitCube(wide.sizeX(), wide.sizeY(), wide.sizeZ());
+    for (int k = 0; k < wide.sizeZ(); k++) {
+      for (int j = 0; j < wide.sizeY(); j++) {
+        for (int i = 0; i < wide.sizeX(); i++) {
+          double wave = Math.sin(0.4 * i) + Math.sin(0.3 * j + 1) + Math.sin(0.5 * k + 2);
+          volume.set(i, j, k, Math.rint(100 + 40 * wave));
+          if (volume.value(i, j, k) >= THRESHOLD) {
+            solids.set(i, j, k);
+          }
+        }
+      }
+    }
+    CollisionScene both = new CollisionScene(List.of(solids));
+    OccupancyField used = field(volume, metric);
+    used.use(both);
+    for (int n = 0; n < RandomCases.of(50); n++) {
+      double x = 4 + 30 * random.nextDouble();
+      double y = 4 + 20 * random.nextDouble();
+      double height = 4 + 30 * random.nextDouble();
+      for (int side = 0; side < 2; side++) {
+        Vec3 at = new Vec3(x + side * SAME_SLOT_X, y, height + side * SAME_SLOT_Z / z);
+        OccupancyField fresh = field(volume, metric);
+        fresh.use(both);
+        String where = "seed=" + SEED + " at " + at;
+        assertEquals(
+            fresh.evaluate(cell(at), at).occupancy(),
+            used.evaluate(cell(at), at).occupancy(),
+            where);
+        assertEquals(fresh.sample().gx(), used.sample().gx(), where);
+      }
+    }
   }
 
   private void compareWithFresh(ScalarVolume volume, GridMetric metric, int evaluations) {
@@ -156,10 +205,10 @@ class GreyOccupancyTest {
   private void compareThin(ScalarVolume volume, GridMetric metric) {
     Vec3 edges = OccupancyField.edges(metric);
     ThinGrid grid = ThinGrid.ofGrey(edges);
-    caches.clear();
-    caches.add(new GreyVoxels(source(volume)));
+    sources.clear();
+    sources.add(new GreyVoxels(source(volume)));
     for (AxisCut cut : grid.cuts()) {
-      caches.add(new ThinOccupancies(cut, caches.get(caches.size() - 1)));
+      sources.add(new ThinOccupancies(cut, sources.get(sources.size() - 1)));
     }
     int[][] boxes = {ISOTROPIC, ISOTROPIC, ISOTROPIC};
     NaiveOccupancyField naive =
@@ -207,7 +256,7 @@ class GreyOccupancyTest {
 
   /** Returns the level of a cell after some cuts, from 0 to 255. */
   private double level(int count, int[] cell) {
-    long word = caches.get(count).occupancies(scene, cell[0] >> 3, cell[1], cell[2]);
+    long word = sources.get(count).occupancies(scene, cell[0] >> 3, cell[1], cell[2]);
     return (word >>> (Byte.SIZE * (cell[0] & 7))) & 0xFF;
   }
 
