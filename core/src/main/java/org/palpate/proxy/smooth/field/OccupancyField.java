@@ -154,7 +154,7 @@ public final class OccupancyField {
     Vec3 edges = edges(metric);
     ThinGrid grid = ThinGrid.ofBits(edges);
     SmoothingKernel kernel = SmoothingKernel.forBits(grid, edges);
-    ThinSlices thin = thin(grid, edges);
+    ThinSlices thin = thin(grid, edges, true);
     BrickSource cells = cells(thin);
     BinaryWindow window = new BinaryWindow(grid, cells);
     List<CellCorrections.Source> corrections = new ArrayList<>();
@@ -186,7 +186,7 @@ public final class OccupancyField {
     Vec3 edges = edges(metric);
     ThinGrid grid = ThinGrid.ofGrey(edges);
     SmoothingKernel kernel = SmoothingKernel.forGrey(grid, edges);
-    BrickSource cells = cells(thin(grid, edges));
+    BrickSource cells = cells(thin(grid, edges, false));
     BinaryWindow window = new BinaryWindow(grid, cells);
     return new OccupancyField(
         grid,
@@ -198,8 +198,8 @@ public final class OccupancyField {
   }
 
   /** Returns the thin slices of a grid, or null if its cells are voxels. */
-  private static ThinSlices thin(ThinGrid grid, Vec3 edges) {
-    return grid.isWhole() ? null : ThinSlices.of(grid, edges);
+  private static ThinSlices thin(ThinGrid grid, Vec3 edges, boolean corrects) {
+    return grid.isWhole() ? null : ThinSlices.of(grid, edges, corrects);
   }
 
   private static BrickSource cells(ThinSlices thin) {

@@ -93,8 +93,11 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   /** The bricks that they may reach: scratch. */
   private final IntBox reachedBricks = new IntBox();
 
+  /** Whether anyone asks for corrections. */
+  private final boolean corrects;
+
   /** The corrections of each brick. */
-  private final CellCorrections.Slots slots = new CellCorrections.Slots(brickKeys.slots());
+  private final CellCorrections.Slots slots;
 
   /** The columns that this cut has interpolated so far. */
   private long columns;
@@ -106,10 +109,18 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
    * @param edges the edges of what is cut, in shortest voxel edges
    * @param maxReachBricks the greatest reach of searches for the outline
    * @param isLast whether no other cut divides the cells
+   * @param corrects whether anyone asks for corrections
    */
   private ThinSlices(
-      AxisCut cut, BrickSource source, Vec3 edges, int maxReachBricks, boolean isLast) {
+      AxisCut cut,
+      BrickSource source,
+      Vec3 edges,
+      int maxReachBricks,
+      boolean isLast,
+      boolean corrects) {
     this.cut = cut;
+    this.corrects = corrects;
+    slots = new CellCorrections.Slots(corrects ? brickKeys.slots() : 0);
     this.source = source;
     leastHeight = isLast ? MIDDLE_CELL : 0;
     mostHeight = isLast ? cut.perVoxel() - MIDDLE_CELL : cut.perVoxel();
@@ -124,15 +135,17 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
   /**
    * Returns the thin slices of a grid with at least one cut. The first cut divides the voxels, and
    * the second divides the cells of the first.
+   *
+   * @param corrects whether it is a source of corrections as well; without them it takes less time
    */
-  static ThinSlices of(ThinGrid grid, Vec3 edges) {
+  static ThinSlices of(ThinGrid grid, Vec3 edges, boolean corrects) {
     BrickSource source = new BrickSource.BoundedVoxels();
     ThinSlices slices = null;
     int maxReachBricks = MAX_REACH_BRICKS;
     Vec3 left = new Vec3().set(edges);
     for (AxisCut cut : grid.cuts()) {
       boolean isLast = cut.equals(grid.cuts().get(grid.cuts().size() - 1));
-      slices = new ThinSlices(cut, source, left, maxReachBricks, isLast);
+      slices = new ThinSlices(cut, source, left, maxReachBricks, isLast, corrects && isLast);
       source = slices;
       maxReachBricks = MAX_REACH_BRICKS_OF_SECOND;
       left.set(cut.axis(), left.get(cut.axis()) / cut.perVoxel());
@@ -253,7 +266,9 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
     int slot = brickKeys.slot(x, y, z);
     if (!brickKeys.holdsElseSet(slot, x, y, z)) {
       slices.use(scene);
-      slots.clear(slot);
+      if (corrects) {
+        slots.clear(slot);
+      }
       bricks[slot] = make(x, y, z, slot);
     }
     return slot;
@@ -330,7 +345,9 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
       if (lower != upper) {
         int tile = tileOf(u, v, pair, lower, upper);
         columns = tiles[MAX_CELLS * tile + pairs.inPair(slot, n)];
-        correct(tile, pairs.inPair(slot, n), lower ^ upper, n, to);
+        if (corrects) {
+          correct(tile, pairs.inPair(slot, n), lower ^ upper, n, to);
+        }
       }
       brick |= (long) columns << (COLUMNS * n);
     }
@@ -389,7 +406,7 @@ final class ThinSlices implements BrickSource, CellCorrections.Source {
       tiles[MAX_CELLS * slot + n] |=
           (char) higher(Math.abs(cut.beyondMiddle(first + n, solidSlice)), columns);
     }
-    for (int left = columns; left != 0; left &= left - 1) {
+    for (int left = corrects ? columns : 0; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
       noteCorrection(column, first, cells, solidSlice, step, slot);
     }

@@ -43,7 +43,7 @@ class ThinSlicesTest {
     int found = 0;
     for (Solid solid : solids()) {
       fill(solid);
-      ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
+      ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges, true);
       for (int n = 0; n < bricks; n++) {
         int[] brick = randomBrick(edges);
         found += compare(slices, edges, brick);
@@ -65,8 +65,8 @@ class ThinSlicesTest {
     int solid = 0;
     for (Solid shape : solids()) {
       fill(shape);
-      ThinSlices asked = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
-      ThinSlices made = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
+      ThinSlices asked = ThinSlices.of(ThinGrid.ofGrey(edges), edges, true);
+      ThinSlices made = ThinSlices.of(ThinGrid.ofGrey(edges), edges, false);
       for (int n = 0; n < RandomCases.of(200); n++) {
         int[] at = randomBrick(edges);
         long cells = n % 2 == 0 ? 0x1111_1111_1111_1111L << (n & 3) : random.nextLong();
@@ -86,7 +86,7 @@ class ThinSlicesTest {
   void cellsBesideEmptyVoxelsAreKnownNotToBeSolidWithoutInterpolation() {
     Vec3 edges = edges(2, 3);
     fill((i, j, k) -> 2 * (i - 45) + 3 * (k - 45) < 0);
-    ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
+    ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges, true);
     for (int z = 33; z < 36; z++) {
       assertFalse(slices.areSolid(scene, 11, 11, z, 0x8888_8888_8888_8888L));
     }
@@ -101,7 +101,7 @@ class ThinSlicesTest {
     assertEquals(8, ThinGrid.ofBits(edges).perVoxel(2));
     assertEquals(5, ThinGrid.ofGrey(edges).perVoxel(2));
     fill((i, j, k) -> i + 3 * k < 120);
-    ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
+    ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges, true);
     for (int n = 0; n < RandomCases.of(200); n++) {
       compare(slices, edges, randomBrick(edges));
     }
@@ -111,7 +111,7 @@ class ThinSlicesTest {
   void anInclinedPlaneHasNoTerraces() {
     fill((i, j, k) -> i + 0.5 + 9 * (k + 0.5) < 200);
     Vec3 edges = edges(2, 3);
-    ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges);
+    ThinSlices slices = ThinSlices.of(ThinGrid.ofGrey(edges), edges, true);
     for (int x = 20; x < 60; x++) {
       int height = 0;
       while (slices.isSolid(scene, x, 40, height)) {
@@ -127,7 +127,7 @@ class ThinSlicesTest {
     AxisCut cut = new AxisCut(2, ratio);
     for (Solid solid : solids()) {
       fill(solid);
-      ThinSlices slices = ThinSlices.of(ThinGrid.ofBits(edges(2, ratio)), edges(2, ratio));
+      ThinSlices slices = ThinSlices.of(ThinGrid.ofBits(edges(2, ratio)), edges(2, ratio), true);
       for (int n = 0; n < 2000; n++) {
         int i = random.nextInt(EDGE);
         int j = random.nextInt(EDGE);
@@ -145,7 +145,7 @@ class ThinSlicesTest {
       Vec3 normal = new Vec3(random.nextGaussian(), random.nextGaussian(), random.nextGaussian());
       normal.mul(1 / normal.length(), normal);
       fill((i, j, k) -> Math.abs(fromMiddle(normal, i, j, (k + 0.5) * ratio - 0.5)) <= ratio / 2);
-      ThinSlices slices = ThinSlices.of(ThinGrid.ofBits(edges(2, ratio)), edges(2, ratio));
+      ThinSlices slices = ThinSlices.of(ThinGrid.ofBits(edges(2, ratio)), edges(2, ratio), true);
       for (int x = 30; x < 60; x++) {
         for (int y = 30; y < 60; y++) {
           for (int z = 30; z < 60; z++) {
