@@ -1,5 +1,7 @@
 package org.palpate.host;
 
+import static java.util.stream.Collectors.joining;
+
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -135,6 +137,14 @@ public final class ContactTuning {
       solver = solvers.get((solvers.indexOf(solver) + 1) % solvers.size());
       solverRequests.accept(solver);
     }
+  }
+
+  /** Returns what {@link #nextSolver} does, for the help of its key; empty for a rigid tool. */
+  Optional<String> solverHelp() {
+    return solvers.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            solvers.stream().map(SolverKind::toString).collect(joining(", ", "next solver: ", "")));
   }
 
   /** {@return the kind of solver that the next frame runs; empty for a rigid tool} */

@@ -251,8 +251,9 @@ public final class SessionView implements AutoCloseable {
     input.onKey('-', "softer", () -> applyAndShow(tuning::decreaseStiffness));
     input.onKey('.', "more friction", () -> applyAndShow(tuning::increaseFriction));
     input.onKey(',', "less friction", () -> applyAndShow(tuning::decreaseFriction));
-    input.onKey(
-        'n', "next solver: smooth, guarded, paper, dot", () -> applyAndShow(tuning::nextSolver));
+    tuning
+        .solverHelp()
+        .ifPresent(help -> input.onKey('n', help, () -> applyAndShow(tuning::nextSolver)));
     if (session.canHold()) {
       input.onKey('4', "ghosts: where bodies started", () -> solids.toggleGhosts(loader));
       input.onKey('x', "take hold of the touched body, or let go", session::toggleHold);

@@ -57,6 +57,7 @@ class ContactTuningTest {
   @Test
   void switchesSolversBetweenFramesWithoutEnteringASolid() {
     assertEquals(SolverKind.GUARDED, tuning.solver().orElseThrow());
+    assertEquals("next solver: smooth, guarded, paper, dot", tuning.solverHelp().orElseThrow());
     long now = 0;
     for (int change = 0; change < 40; change++) {
       tuning.nextSolver();

@@ -128,6 +128,7 @@ class ToolSessionTest {
     TouchSession session = session(hand());
     ContactTuning tuning = session.tuning();
     assertEquals(Optional.empty(), tuning.solver());
+    assertEquals(Optional.empty(), tuning.solverHelp());
     assertEquals("rigid tool   0.50 N/mm   friction 0.20", tuning.line());
     tuning.increaseStiffness();
     tuning.increaseFriction();
