@@ -42,6 +42,16 @@ public final class HeldReadings {
   }
 
   /**
+   * {@return the line above the readings of a fragment}
+   *
+   * @param fragment the index of the fragment
+   * @param isHeld whether it is in hand; otherwise the hand touched it last
+   */
+  public String heading(int fragment, boolean isHeld) {
+    return (isHeld ? "in hand: " : "touched last: ") + name(fragment);
+  }
+
+  /**
    * {@return a line for each fragment that one faces, and a line about its motion since the start}
    * If it did not start where it rests, there is a line about its distance from there, relative to
    * the largest fragment. Some hundred milliseconds for fragments of 10,000 voxels.
@@ -62,10 +72,12 @@ public final class HeldReadings {
         }
       }
     }
-    lines.add(name(fragment) + ": moved " + words(Residual.since(starts.get(fragment), own)));
+    lines.add(
+        name(fragment) + ": moved " + ReadingText.of(Residual.since(starts.get(fragment), own)));
     if (fragment != reference && !starts.get(fragment).sameBits(new Pose())) {
       Pose base = posed(reference, poses).pose();
-      lines.add(name(fragment) + ": from rest " + words(Residual.fromRest(own, base)));
+      lines.add(
+          name(fragment) + ": from where it rests " + ReadingText.of(Residual.fromRest(own, base)));
     }
     return lines;
   }
@@ -80,12 +92,5 @@ public final class HeldReadings {
 
   private String name(int n) {
     return segment(n).name();
-  }
-
-  private static String words(Residual motion) {
-    return NumberText.thousandths(motion.distanceMm())
-        + " mm, "
-        + NumberText.thousandths(motion.angleDegrees())
-        + " degrees";
   }
 }

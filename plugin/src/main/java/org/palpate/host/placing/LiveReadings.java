@@ -70,7 +70,11 @@ public final class LiveReadings implements AutoCloseable {
       lines = readings.lines(body, poses, frame.groups());
       read = poses;
     }
-    List<String> all = new ArrayList<>(lines);
+    List<String> all = new ArrayList<>();
+    if (body != NONE) {
+      all.add(readings.heading(body, frame.heldBody() == body));
+    }
+    all.addAll(lines);
     all.addAll(colours.lines());
     all.addAll(further.get());
     view.show(all);

@@ -1,9 +1,13 @@
 package org.palpate.host.placing;
 
+import java.util.Locale;
 import org.palpate.fracture.PairReadings;
-import org.palpate.io.file.NumberText;
+import org.palpate.fracture.Residual;
 
-/** Readings of fragments in words. */
+/**
+ * Readings of fragments in words, to about the digits that they are right to. Each has a fixed
+ * number of digits, so that a line in a window does not jump while a fragment moves.
+ */
 public final class ReadingText {
   private ReadingText() {}
 
@@ -16,17 +20,25 @@ public final class ReadingText {
     String step =
         Double.isNaN(r.stepOffMm())
             ? "no step-off, for want of skin on both sides"
-            : "step-off " + NumberText.thousandths(r.stepOffMm()) + " mm";
-    return "gap "
-        + NumberText.thousandths(r.gapMeanMm())
-        + " mm, at most "
-        + NumberText.thousandths(r.gapLargestMm())
-        + "; "
-        + step
-        + "; contact on "
-        + NumberText.thousandths(r.contactMm2())
-        + " of "
-        + NumberText.thousandths(r.facingMm2())
-        + " mm^2";
+            : String.format(Locale.ROOT, "step-off %.2f mm", r.stepOffMm());
+    return String.format(
+        Locale.ROOT,
+        "gap %.2f mm, at most %.2f; %s; contact on %.0f of %.0f mm^2",
+        hundredths(r.gapMeanMm()),
+        hundredths(r.gapLargestMm()),
+        step,
+        r.contactMm2(),
+        r.facingMm2());
+  }
+
+  /** Returns a rounded number; of a small negative one, 0 without a sign. */
+  private static double hundredths(double value) {
+    return Math.rint(value * 1e2) / 1e2 + 0.0;
+  }
+
+  /** Returns a displacement and an angle. */
+  static String of(Residual motion) {
+    return String.format(
+        Locale.ROOT, "%.2f mm, %.1f degrees", motion.distanceMm(), motion.angleDegrees());
   }
 }

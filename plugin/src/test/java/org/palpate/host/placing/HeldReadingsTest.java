@@ -65,7 +65,21 @@ class HeldReadingsTest {
     assertTrue(lines.get(0).startsWith("middle to left: gap 2.5"), lines.get(0));
     assertTrue(lines.get(0).endsWith("overlap 0"), lines.get(0));
     assertTrue(lines.get(1).startsWith("middle to right: gap 1.5"), lines.get(1));
-    assertEquals("middle: moved 0.5 mm, 10 degrees", lines.get(2));
+    assertEquals("middle: moved 0.50 mm, 10.0 degrees", lines.get(2));
+    assertTrue(
+        lines
+            .get(0)
+            .matches(
+                "middle to left: gap -?\\d+\\.\\d\\d mm, at most -?\\d+\\.\\d\\d; [^;]+;"
+                    + " contact on \\d+ of \\d+ mm\\^2; overlap 0"),
+        "a fixed number of digits: " + lines.get(0));
+  }
+
+  @Test
+  void theHeadingSaysWhetherTheFragmentIsInHand() {
+    HeldReadings readings = new HeldReadings(bar, starts);
+    assertEquals("in hand: middle", readings.heading(1, true));
+    assertEquals("touched last: left", readings.heading(0, false));
   }
 
   @Test
@@ -84,10 +98,10 @@ class HeldReadingsTest {
     HeldReadings readings = new HeldReadings(bar, displaced);
     List<RigidTransform> poses = transforms(moved(3, 0), moved(10, 0), moved(5, 0));
     List<String> middle = readings.lines(1, poses, BodyGroups.none(3));
-    assertEquals("middle: moved 1 mm, 0 degrees", middle.get(middle.size() - 2));
-    assertEquals("middle: from rest 7 mm, 0 degrees", middle.get(middle.size() - 1));
+    assertEquals("middle: moved 1.00 mm, 0.0 degrees", middle.get(middle.size() - 2));
+    assertEquals("middle: from where it rests 7.00 mm, 0.0 degrees", middle.get(middle.size() - 1));
     List<String> largest = readings.lines(0, poses, BodyGroups.none(3));
-    assertEquals("left: moved 0 mm, 0 degrees", largest.get(largest.size() - 1));
+    assertEquals("left: moved 0.00 mm, 0.0 degrees", largest.get(largest.size() - 1));
   }
 
   @Test
