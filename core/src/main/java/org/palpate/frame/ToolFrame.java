@@ -476,11 +476,11 @@ public final class ToolFrame extends HapticFrame {
   }
 
   /**
-   * {@return the most points that kept less than their clearance in any frame} Haptic thread, or
-   * any thread after the last frame.
+   * {@return the most points that kept less than their clearance in any frame: of what is held, or
+   * of all bodies against each other} Haptic thread, or any thread after the last frame.
    */
   public int mostReducedPoints() {
-    return mostReduced;
+    return Math.max(mostReduced, solver.bodies().mostReducedPoints());
   }
 
   /** {@return the work of the last frame, in the units of {@link RigidSolver#work}} */

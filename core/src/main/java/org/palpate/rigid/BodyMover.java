@@ -138,6 +138,14 @@ public final class BodyMover {
     return heldBack;
   }
 
+  /**
+   * {@return the most sample points of bodies that kept less than their clearance from other bodies
+   * at any time}
+   */
+  public int mostReducedPoints() {
+    return scene.mostReducedPoints();
+  }
+
   /** Whether a body has a goal that it has not reached. */
   boolean hasWork() {
     for (int n = 0; n < goals.length; n++) {

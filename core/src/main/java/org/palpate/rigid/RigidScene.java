@@ -39,6 +39,8 @@ public final class RigidScene {
   /** The number of edits of all bodies that {@link #takeEdits} has seen. */
   private long editsSeen;
 
+  private int mostReduced;
+
   /** Two bodies overlap of which one can move, so that no motion could be verified. */
   public static final class BodiesOverlapException extends IllegalArgumentException {
     private static final long serialVersionUID = 1;
@@ -87,6 +89,7 @@ public final class RigidScene {
     }
     bodyMover = new BodyMover(this);
     editsSeen = bodies.edits();
+    noteReduced();
   }
 
   /** Returns the number of voxels by which grown solids of each body reach beyond a voxel. */
@@ -216,6 +219,7 @@ public final class RigidScene {
         }
       }
     }
+    noteReduced();
   }
 
   /**
@@ -245,6 +249,23 @@ public final class RigidScene {
         }
       }
     }
+    noteReduced();
+  }
+
+  /** Notes how many points of bodies keep less than their clearance; a motion makes them fewer. */
+  private void noteReduced() {
+    int sum = 0;
+    for (int a = 0; a < bodies.count(); a++) {
+      for (int b = 0; b < a; b++) {
+        sum += pairs[a][b] == null ? 0 : pairs[a][b].reducedCount();
+      }
+    }
+    mostReduced = Math.max(mostReduced, sum);
+  }
+
+  /** Returns the most points of bodies that kept less than their clearance from other bodies. */
+  int mostReducedPoints() {
+    return mostReduced;
   }
 
   /**

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
+import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.RodShape;
@@ -71,6 +72,55 @@ class RigidSceneTest {
       assertEquals(x == -0.5 ? x : x - 1, block.pose().translation.x);
     }
     assertEquals(2, solver.bodies().heldBack());
+  }
+
+  @Test
+  void pointsOfBodiesThatTouchAtTheStartOrAfterAnEditCountAsReducedThoughTheToolIsFar() {
+    BodyScene apart = bodies(Pose.at(5.2, 0, 0));
+    RigidSolver solver = solver(apart);
+    ToolMotion motion = solver.newMotion();
+    solver.place(Pose.at(0, 0, 90), motion);
+    solver.rest(motion);
+    assertEquals(0, solver.bodies().mostReducedPoints());
+    apart.body(0).bits().set(4, 2, 2); // 0.2 mm from the block
+    IntBox added = new IntBox();
+    added.include(4, 2, 2);
+    apart.body(0).voxelsChanged(added);
+    solver.follow(Pose.at(0, 0, 91), motion);
+    int near = solver.bodies().mostReducedPoints();
+    assertTrue(near > 0 && near < 16, "a voxel is near: " + near);
+
+    BodyScene touching = bodies(Pose.at(4, 0, 0));
+    solver = solver(touching);
+    motion = solver.newMotion();
+    solver.place(Pose.at(0, 0, 90), motion);
+    assertEquals(0, motion.reducedPoints(), "the tool is far");
+    int most = solver.bodies().mostReducedPoints();
+    assertTrue(most >= 16, "a face of 4 x 4 voxels touches: " + most);
+    solver.bodies().setGoal(1, Pose.at(9, 0, 0));
+    for (int frame = 0; frame < 20; frame++) {
+      solver.rest(motion);
+    }
+    assertEquals(9, touching.body(1).pose().translation.x);
+    assertEquals(most, solver.bodies().mostReducedPoints(), "the most of any frame");
+  }
+
+  /** Returns a block in a larger grid that stands still, and one that moves. */
+  private static BodyScene bodies(Pose ofSecond) {
+    BitCube bits = new BitCube(6, 6, 6);
+    for (int n = 0; n < 64; n++) {
+      bits.set(n % 4, n / 4 % 4, n / 16);
+    }
+    Body first = new Body("first", bits, VoxelGrid.ofUnitVoxels(6, 6, 6), Mobility.FIXED);
+    Body second = block("second", 4, Mobility.MOVABLE, 0);
+    second.setPose(ofSecond);
+    return new BodyScene(List.of(first, second));
+  }
+
+  private static RigidSolver solver(BodyScene scene) {
+    RigidSettings settings = RigidSettings.of(4, Clearance.POINTS);
+    MovableShapes shapes = MovableShapes.ofWholeBodies(scene, 0);
+    return new RigidSolver(new RigidScene(scene, ToolSampler.point(), shapes, settings));
   }
 
   @ParameterizedTest
