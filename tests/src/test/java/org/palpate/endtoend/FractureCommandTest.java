@@ -15,7 +15,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.palpate.geometry.Vec3;
+import org.palpate.io.VolumeFiles;
+import org.palpate.io.volume.ReadOptions;
 import org.palpate.testing.Scans;
+import org.palpate.volume.VoxelGrid;
 
 class FractureCommandTest {
   @TempDir private Path folder;
@@ -94,6 +98,36 @@ class FractureCommandTest {
     CommandRun.of("info", "--volume", again, "--report", report).mustSucceed();
     assertEquals(voxels, FlatJson.read(report).get("/segments/0/voxels"));
     assertFalse(FlatJson.read(report).containsKey("/segments/1/name"));
+  }
+
+  /** A brush erases a plate along a line, and the two halves become fragments. */
+  @Test
+  void aPaintedCutSplitsASegment() throws IOException {
+    Path plate = folder.resolve("plate.nrrd");
+    TestFiles.nrrd(
+        plate, 16, v -> v[0] > 1 && v[0] < 14 && v[1] > 1 && v[1] < 14 && v[2] == 8 ? 1 : 0);
+    VoxelGrid grid = VolumeFiles.open(plate, ReadOptions.defaults()).header().grid();
+    StringBuilder rows = new StringBuilder("t_ms,x,y,z\n");
+    for (int ms = 0; ms <= 1500; ms++) {
+      Vec3 at = grid.gridToWorld(new Vec3(8, ms / 100.0, 8.5), new Vec3());
+      rows.append(ms + "," + at.x + "," + at.y + "," + at.z + "\n");
+    }
+    Path line = Files.writeString(folder.resolve("line.csv"), rows);
+    Path cut = folder.resolve("cut.nrrd");
+    List<Object> paint =
+        new ArrayList<>(List.of("touch", "--volume", plate, "--segment", "a=nonzero"));
+    paint.addAll(List.of("--brush", 1.5, "--paint", "erase", "--device", "replay:" + line));
+    paint.addAll(List.of("--headless", "--seconds", 2, "--export", cut));
+    CommandRun.of(paint.toArray()).mustSucceed();
+    Path parts = folder.resolve("parts.nrrd");
+    Path report = folder.resolve("r.json");
+    CommandRun.of("info", "--volume", cut, "--split", "components:20", "--export", parts)
+        .mustSucceed();
+    CommandRun.of("info", "--volume", parts, "--report", report).mustSucceed();
+    Map<String, String> json = FlatJson.read(report);
+    assertTrue(Integer.parseInt(json.get("/segments/0/voxels")) >= 40, json.toString());
+    assertTrue(Integer.parseInt(json.get("/segments/1/voxels")) >= 40, json.toString());
+    assertFalse(json.containsKey("/segments/2/name"), json.toString());
   }
 
   @Test
