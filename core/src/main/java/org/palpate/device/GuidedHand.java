@@ -117,7 +117,8 @@ public final class GuidedHand implements HapticDevice {
               + intervalNanos);
     }
     this.stops = List.copyOf(stops);
-    corrected.set(stops.get(0).pose());
+    pose.set(stops.get(0).pose());
+    corrected.set(pose);
     arrived.set(corrected);
     this.tremor = tremor;
     this.intervalNanos = intervalNanos;
@@ -143,17 +144,26 @@ public final class GuidedHand implements HapticDevice {
   }
 
   /**
-   * Lets the hand begin at a stop, with the motion and the tremor that it has there after the way
-   * from the first one. Call it before the first {@link #read}.
+   * Lets the hand begin on the way from a stop to the next, with the motion and the tremor that it
+   * has there after the way from the first one. Call it before the first {@link #read}.
    *
    * @param index of a stop; the hand holds nothing on the way there
+   * @param mm the distance from the next stop at which it begins; it begins at the stop itself if
+   *     that is nearer
    */
-  public void beginAt(int index) {
+  public void beginAfter(int index, double mm) {
     DeviceState unseen = new DeviceState();
-    while (stop < index && !hasArrived()) {
+    while (!hasArrived() && (stop < index || (stop == index && isFartherFromNext(mm)))) {
       read(unseen);
     }
     skippedReads = reads;
+  }
+
+  /** Whether the last sample is farther than a distance from the stop after the present one. */
+  private boolean isFartherFromNext(double mm) {
+    int next = stop + stops.get(stop).next();
+    return next < stops.size()
+        && stops.get(next).pose().translation.sub(pose.translation, shake).length() > mm;
   }
 
   @Override

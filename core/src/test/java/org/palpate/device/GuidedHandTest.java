@@ -71,14 +71,14 @@ class GuidedHandTest {
     assertTrue(state.positionMm.sameBits(new Vec3(60, 0, 0)), "steady: " + state.positionMm);
   }
 
-  @Test
-  void aHandThatBeginsAtAStopMovesAndTremblesAsOneThatCameThere() {
+  private static List<HandStop> threeStops() {
     HandStop third = new HandStop(Pose.at(60, 40, 0), 0, 0.5, false);
-    List<HandStop> stops = List.of(FIRST, new HandStop(Pose.at(60, 0, 0), 0, 0, false), third);
-    GuidedHand came = new GuidedHand(stops, Tremor.ofHand(4), 100, MS);
-    GuidedHand begins = new GuidedHand(stops, Tremor.ofHand(4), 100, MS);
-    begins.beginAt(1);
-    read(came, 1101); // a rest of 0.1 s, then 60 mm
+    return List.of(FIRST, new HandStop(Pose.at(60, 0, 0), 0, 0, false), third);
+  }
+
+  /** Reads a hand that skipped its first samples beside one that did not. */
+  private void assertMovesAs(GuidedHand begins, GuidedHand came, int skipped) {
+    read(came, skipped);
     DeviceState other = new DeviceState();
     for (int n = 0; n < 1500; n++) {
       begins.read(other);
@@ -91,12 +91,38 @@ class GuidedHandTest {
     assertEquals(40, other.positionMm.y, 0.5);
   }
 
+  private static GuidedHand trembling() {
+    return new GuidedHand(threeStops(), Tremor.ofHand(4), 100, MS);
+  }
+
+  @Test
+  void aHandThatBeginsAtAStopMovesAndTremblesAsOneThatCameThere() {
+    GuidedHand begins = trembling();
+    begins.beginAfter(1, 1000);
+    assertMovesAs(begins, trembling(), 1101); // a rest of 0.1 s, then 60 mm
+  }
+
+  @Test
+  void aHandThatBeginsOnTheWayMovesAndTremblesAsOneThatCameThere() {
+    GuidedHand begins = trembling();
+    begins.beginAfter(1, 10);
+    GuidedHand came = trembling();
+    int skipped = 0;
+    do {
+      read(came, 1);
+      skipped++;
+    } while (state.positionMm.sub(new Vec3(60, 40, 0), new Vec3()).length() > 10);
+    assertTrue(
+        skipped > 1400 && skipped < 1700, "between the second stop and the third: " + skipped);
+    assertMovesAs(begins, trembling(), skipped);
+  }
+
   @Test
   void aHandThatBeginsAtItsFirstStopIsUnchanged() {
     GuidedHand hand = hand(Tremor.NONE);
-    hand.beginAt(0);
-    read(hand, 601);
-    assertEquals(30, state.positionMm.x, 1e-9, "is half way after the rest and half a second");
+    hand.beginAfter(0, 60.1);
+    read(hand, 600);
+    assertEquals(30, state.positionMm.x, 0.2, "is half way after the rest and half a second");
   }
 
   @Test

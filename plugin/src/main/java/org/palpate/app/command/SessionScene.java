@@ -41,6 +41,9 @@ import org.palpate.volume.SegmentedVolume;
 
 /** The scene of a live session, which a point or a rigid tool touches. */
 final class SessionScene {
+  /** About the time in which a simulated hand goes from where it begins to its first fragment. */
+  private static final double APPROACH_SECONDS = 1;
+
   private final ContactScene scene;
   private final Optional<ToolScene> rigid;
   private final Optional<ToolReport> toolReport;
@@ -93,7 +96,7 @@ final class SessionScene {
 
   /**
    * Returns a simulated hand that puts the fragments of a bone back to where they rest, and then
-   * stays. It begins on the straight line to its first fragment. Its plan is made in another
+   * stays. It begins straight in front of its first fragment. Its plan is made in another
    * thread, on bodies of its own.
    *
    * @param seed chooses the phases of its tremor
@@ -111,7 +114,7 @@ final class SessionScene {
           ReductionPlan plan = ReductionPlan.of(planned, truth, tool.movableShapes(), seen);
           GuidedHand hand =
               new GuidedHand(plan.stops(), Tremor.ofHand(seed), radiusMm, periodNanos);
-          hand.beginAt(plan.firstApproach());
+          hand.beginAfter(plan.firstApproach(), GuidedHand.MM_PER_SECOND * APPROACH_SECONDS);
           return hand;
         });
   }
