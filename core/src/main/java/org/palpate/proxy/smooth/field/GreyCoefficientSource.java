@@ -36,6 +36,9 @@ final class GreyCoefficientSource implements CoefficientSource {
   private final BrickSource cells;
   private final BinaryWindow window;
 
+  /** The voxels that changed: scratch. */
+  private final IntBox changedVoxels = new IntBox();
+
   private final double scale;
 
   /** The occupancies of the window, a row in a word, y fastest. */
@@ -183,8 +186,9 @@ final class GreyCoefficientSource implements CoefficientSource {
 
   @Override
   public void forget(IntBox changed) {
-    window.forget(changed);
-    cache.forget();
+    changedVoxels.set(changed);
+    window.forget(changed); // makes other cells of the voxels
+    cache.forget(changedVoxels);
   }
 
   @Override

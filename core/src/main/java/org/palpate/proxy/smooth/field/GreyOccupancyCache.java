@@ -1,6 +1,7 @@
 package org.palpate.proxy.smooth.field;
 
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 import org.palpate.volume.ScalarVolume;
 
 /**
@@ -47,6 +48,9 @@ final class GreyOccupancyCache {
   /** The words that each block has, a bit each. */
   private final long[] known = new long[keys.slots()];
 
+  /** Blocks that changes reach: scratch. */
+  private final IntBox reached = new IntBox();
+
   /** Gives the occupancies of cells. */
   interface Source {
     /**
@@ -65,6 +69,14 @@ final class GreyOccupancyCache {
 
     /** Forgets all occupancies and takes the present grey values. */
     void forget();
+
+    /**
+     * Forgets what depends on voxels whose solids changed.
+     *
+     * @param changed a box around these voxels; receives a box around the cells whose occupancies
+     *     they may change
+     */
+    void forget(IntBox changed);
   }
 
   GreyOccupancyCache(Source source) {
@@ -75,6 +87,48 @@ final class GreyOccupancyCache {
   void forget() {
     source.forget();
     keys.forget();
+  }
+
+  /**
+   * Forgets at least what depends on voxels whose solids changed.
+   *
+   * @param changed a box around these voxels; receives cells, see {@link Source#forget(IntBox)}
+   */
+  void forget(IntBox changed) {
+    source.forget(changed);
+    for (int axis = 0; axis < 3; axis++) {
+      reached.setRange(axis, changed.low(axis) >> SHIFT, changed.high(axis) >> SHIFT);
+    }
+    if (CacheKeys.isLarge(reached)) {
+      keys.forget();
+      return;
+    }
+    for (int blockZ = reached.lowZ; blockZ <= reached.highZ; blockZ++) {
+      for (int blockY = reached.lowY; blockY <= reached.highY; blockY++) {
+        long inBox = wordsIn(blockY, blockZ, changed);
+        for (int word = reached.lowX; word <= reached.highX; word++) {
+          forgetWords(word, blockY, blockZ, inBox);
+        }
+      }
+    }
+  }
+
+  /** Returns the words of a block whose rows lie in a box of cells, a bit each. */
+  private static long wordsIn(int blockY, int blockZ, IntBox cells) {
+    int y = EDGE * blockY;
+    int z = EDGE * blockZ;
+    return bits(
+        Math.max(cells.lowY - y, 0),
+        Math.min(cells.highY - y, MASK),
+        Math.max(cells.lowZ - z, 0),
+        Math.min(cells.highZ - z, MASK));
+  }
+
+  private void forgetWords(int word, int blockY, int blockZ, long changed) {
+    int slot = keys.slot(word, blockY, blockZ);
+    if (keys.holds(slot, word, blockY, blockZ)) {
+      known[slot] &= ~changed;
+    }
   }
 
   /**

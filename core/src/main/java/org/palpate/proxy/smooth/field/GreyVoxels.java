@@ -2,6 +2,7 @@ package org.palpate.proxy.smooth.field;
 
 import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 import org.palpate.volume.GreyQuantizer;
 import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
@@ -48,6 +49,11 @@ final class GreyVoxels implements GreyOccupancyCache.Source {
     GreyIsosurface now = source.now();
     volume = now.volume();
     quantizer = now.quantizer();
+    Arrays.fill(brickWord, NONE);
+  }
+
+  @Override
+  public void forget(IntBox changed) {
     Arrays.fill(brickWord, NONE);
   }
 

@@ -233,8 +233,8 @@ public final class OccupancyField {
   }
 
   /**
-   * Forgets what depends on some voxels; to be called after they changed. The answers are the same
-   * as after {@link #forget()}, but what lies beyond their reach need not be made anew.
+   * Forgets what depends on some voxels; to be called after their solids changed, and no grey
+   * value. The answers are the same as after {@link #forget()}, but what is out of reach stays.
    *
    * @param voxels a box around the changed voxels, not empty
    */

@@ -2,6 +2,7 @@ package org.palpate.proxy.smooth.field;
 
 import java.util.Arrays;
 import org.palpate.collision.CollisionScene;
+import org.palpate.geometry.IntBox;
 import org.palpate.volume.LayerRamp;
 import org.palpate.volume.LevelGradients;
 
@@ -47,6 +48,15 @@ final class ThinOccupancies implements GreyOccupancyCache.Source {
   @Override
   public void forget() {
     voxels.forget();
+  }
+
+  @Override
+  public void forget(IntBox changed) {
+    voxels.forget(changed);
+    int axis = cut.axis();
+    int low = SeedCell.floor(changed.low(axis) * cut.perVoxel());
+    int high = SeedCell.floor((changed.high(axis) + 1) * cut.perVoxel());
+    changed.setRange(axis, low - 1, high + 1); // with a margin against rounding
   }
 
   @Override
@@ -181,6 +191,7 @@ final class ThinOccupancies implements GreyOccupancyCache.Source {
     /** The words of cached voxels along each axis. */
     private static final int CACHE_EDGE = 16;
 
+    private final int axis;
     private final int stepX;
     private final int stepY;
     private final int stepZ;
@@ -206,6 +217,7 @@ final class ThinOccupancies implements GreyOccupancyCache.Source {
      * @param voxels gives the voxels
      */
     PartialVoxels(int axis, GreyOccupancyCache.Source voxels) {
+      this.axis = axis;
       stepX = axis == 0 ? 1 : 0;
       stepY = axis == 1 ? 1 : 0;
       stepZ = axis == 2 ? 1 : 0;
@@ -216,6 +228,19 @@ final class ThinOccupancies implements GreyOccupancyCache.Source {
     void forget() {
       voxels.forget();
       keys.forget();
+    }
+
+    /**
+     * Forgets everything, and what lies behind it only as far as voxels changed.
+     *
+     * @param changed a box around these voxels; receives a box around those whose occupancy or ramp
+     *     they may change
+     */
+    void forget(IntBox changed) {
+      voxels.forget(changed);
+      keys.forget();
+      changed.grow(1);
+      changed.setRange(axis, changed.low(axis) - REACH + 1, changed.high(axis) + REACH - 1);
     }
 
     /**

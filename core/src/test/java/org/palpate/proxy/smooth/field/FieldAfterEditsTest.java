@@ -308,7 +308,9 @@ class FieldAfterEditsTest {
       int i = n % EDGE;
       int j = n / EDGE % EDGE;
       int k = n / (EDGE * EDGE);
-      volume.set(i, j, k, 100 + 60 * Math.tanh(height(i + 0.5, j + 0.5, metric) - k - 0.5));
+      double depth = height(i + 0.5, j + 0.5, metric) - k - 0.5;
+      // Four voxels of a row are partly solid, so that each depends on voxels far along the row.
+      volume.set(i, j, k, 100 + 120 * Math.max(-1, Math.min(1, depth / 2)));
     }
     OccupancyField field = ofGrey(volume, metric);
     for (int n = RandomCases.of(40); n > 0; n--) {
@@ -316,8 +318,13 @@ class FieldAfterEditsTest {
       Runnable edit =
           () -> {
             editSomewhere(metric);
-            Vec3 at = places.get(random.nextInt(places.size()));
-            volume.set((int) at.x, (int) at.y, (int) at.z, 200 * random.nextDouble());
+            if (!changed.isEmpty()) {
+              volume.set(
+                  random.nextInt(changed.lowX, changed.highX + 1),
+                  random.nextInt(changed.lowY, changed.highY + 1),
+                  random.nextInt(changed.lowZ, changed.highZ + 1),
+                  200 * random.nextDouble());
+            }
           };
       assertSameAfter(edit, field, ofGrey(volume, metric));
     }
