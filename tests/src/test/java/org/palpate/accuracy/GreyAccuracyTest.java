@@ -85,6 +85,26 @@ class GreyAccuracyTest {
     checkSlides("torus", spacing, 0.45, 1.4, 0.03);
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "1, sphere, 1, 4.5",
+    "2, plane, 1, 1.8",
+    "2, sphere, 0.8, 3.5",
+    "3, plane, 0.3, 0.6",
+    "3, sphere, 0.4, 3",
+    "5, plane, 0.3, 0.7",
+    "5, sphere, 0.5, 2"
+  })
+  void aWallOneSliceThickIsASurfaceFromEitherSide(
+      double ratio, String shape, double rms, double worst) {
+    Vec3 spacing = new Vec3(1, 1, ratio);
+    AnalyticSurface outside = truth(shape);
+    GreySolids wall = new GreySolids(new WallSurface(outside, ratio), EDGE, spacing);
+    for (AnalyticSurface side : List.of(outside, new CavitySurface(outside, ratio))) {
+      assertWithin(measure(wall, side, spacing, 0.3), rms, worst, 0.03, 0.02);
+    }
+  }
+
   private static void checkSlides(
       String shape, Vec3 spacing, double rms, double worst, double heightStd) {
     GreySolids solids = solids(shape, spacing);
@@ -102,9 +122,14 @@ class GreyAccuracyTest {
   }
 
   private static Accuracy measure(GreySolids solids, String shape, Vec3 spacing, double speed) {
+    return measure(solids, truth(shape), spacing, speed);
+  }
+
+  private static Accuracy measure(
+      GreySolids solids, AnalyticSurface truth, Vec3 spacing, double speed) {
     GridMetric metric = GridMetric.of(spacing);
-    SlideTrajectory slide = new SlideTrajectory(truth(shape), EDGE, 5, speed, FRAMES, SEED);
-    return new AccuracyMeter(truth(shape), metric, slide, 5)
+    SlideTrajectory slide = new SlideTrajectory(truth, EDGE, 5, speed, FRAMES, SEED);
+    return new AccuracyMeter(truth, metric, slide, 5)
         .measure(solver(solids, metric), new CollisionScene(List.of(solids.bits)));
   }
 

@@ -67,7 +67,7 @@ class SmoothAccuracyTest {
     BitCube bits = shell.segments().segments().get(0).bits();
     AnalyticSurface ball = Phantom.parse("sphere:" + EDGE).analyticSurface().orElseThrow();
     check(measure(ball, CUBES, bits, 5, 0.3), 1.5, 6, 0.15, 0.05);
-    check(measure(new Cavity(ball, 1), CUBES, bits, 5, 0.3), 1.5, 6, 0.15, 0.3);
+    check(measure(new CavitySurface(ball, 1), CUBES, bits, 5, 0.3), 1.5, 6, 0.15, 0.3);
   }
 
   @Test
@@ -182,9 +182,14 @@ class SmoothAccuracyTest {
       double ratio, String shape, double rms, double worst, double heightStd, double lagOff) {
     AnalyticSurface solid = Phantom.parse(shape + ":" + EDGE).analyticSurface().orElseThrow();
     Vec3 tall = new Vec3(1, 1, ratio);
-    BitCube bits = SampledSolids.of(new Wall(solid, ratio), EDGE, tall);
+    BitCube bits = SampledSolids.of(new WallSurface(solid, ratio), EDGE, tall);
     check(measure(solid, tall, bits, 5, 0.3), rms, worst, heightStd, lagOff);
-    check(measure(new Cavity(solid, ratio), tall, bits, 5, 0.3), rms, worst, heightStd, lagOff);
+    check(
+        measure(new CavitySurface(solid, ratio), tall, bits, 5, 0.3),
+        rms,
+        worst,
+        heightStd,
+        lagOff);
   }
 
   @Test
@@ -260,33 +265,6 @@ class SmoothAccuracyTest {
       double tilt = StrictMath.toRadians(degrees);
       double across = StrictMath.sin(tilt);
       return dest.set(0.8 * across, 0.6 * across, StrictMath.cos(tilt));
-    }
-  }
-
-  /** A wall of some thickness below the surface of a solid; the normal is that of the solid. */
-  private record Wall(AnalyticSurface solid, double wallMm) implements AnalyticSurface {
-    @Override
-    public double signedDistance(Vec3 point) {
-      double height = solid.signedDistance(point);
-      return Math.max(height, -height - wallMm);
-    }
-
-    @Override
-    public Vec3 normal(Vec3 point, Vec3 dest) {
-      return solid.normal(point, dest);
-    }
-  }
-
-  /** The inner side of a wall of some thickness below the surface of a solid. */
-  private record Cavity(AnalyticSurface solid, double wallMm) implements AnalyticSurface {
-    @Override
-    public double signedDistance(Vec3 point) {
-      return -solid.signedDistance(point) - wallMm;
-    }
-
-    @Override
-    public Vec3 normal(Vec3 point, Vec3 dest) {
-      return solid.normal(point, dest).mul(-1, dest);
     }
   }
 }
