@@ -135,7 +135,7 @@ public final class PullSearch {
     references = new ReferencePose[bodies.count()];
     for (int n = 0; n < hands.length; n++) {
       if (point.canMove(n)) {
-        hands[n] = point.ofBody(n);
+        hands[n] = point.ofBody(n, false); // along faces, fewer random pulls lead out
         references[n] = new ReferencePose(shapes.shapes().get(n).referenceMm(new Vec3()));
       }
     }

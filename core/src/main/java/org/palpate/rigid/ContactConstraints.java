@@ -82,6 +82,9 @@ final class ContactConstraints {
   /** The normals of two contacts with a smaller cosine point against each other. */
   private static final double OPPOSED_COSINE = -0.3;
 
+  /** Two normals with a smaller cosine push apart: no open surface bends so much. */
+  private static final double APART_COSINE = 0.5;
+
   /** A contact is near if its point is lower than this over the surface, edges. */
   private static final double NEAR_EDGES = 0.3;
 
@@ -379,9 +382,19 @@ final class ContactConstraints {
 
   /** Whether the normals of two near contacts point against each other. */
   boolean areOpposed() {
+    return hasNearNormals(OPPOSED_COSINE);
+  }
+
+  /** Whether the normals of two near contacts differ as on the faces of teeth or of a corner. */
+  boolean pushApart() {
+    return hasNearNormals(APART_COSINE);
+  }
+
+  /** Whether the cosine of the angle between the normals of two near contacts is less. */
+  private boolean hasNearNormals(double mostCosine) {
     for (int a = 0; a < count; a++) {
       for (int b = 0; isNear(a) && b < a; b++) {
-        if (isNear(b) && cosine(a, normal(b, normal)) < OPPOSED_COSINE) {
+        if (isNear(b) && cosine(a, normal(b, normal)) < mostCosine) {
           return true;
         }
       }

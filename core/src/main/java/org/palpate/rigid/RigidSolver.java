@@ -38,9 +38,7 @@ public final class RigidSolver {
   /** A frame that creeps must lower the potential by this at least, edges. */
   private static final double LEAST_FALL_EDGES = 1e-6;
 
-  /**
-   * The most that the potential may rise in a frame, edges; half of the device's motion if less.
-   */
+  /** The most that the potential may rise in a frame, edges; half the device's motion if less. */
   private static final double MOST_RISE_EDGES = 0.1;
 
   /** The longest approach of a frame in contact, edges; 1.5 times the device's motion if more. */
@@ -60,12 +58,6 @@ public final class RigidSolver {
   /** A frame that lowers the potential by less than this is stuck, edges. */
   private static final double STUCK_EDGES = 0.02;
 
-  /** The most frames between two that try a lift while the device moves. */
-  private static final int LONGEST_LIFT_WAIT = 16;
-
-  /** The fractions of the motion to the device that the lifts of a frame request, in order. */
-  private static final double[] PULLS = {0.02, 0, 0.1};
-
   /** The number of points whose clearance levels are tested in a frame. */
   private static final int LEVELS_PER_FRAME = 400;
 
@@ -77,6 +69,7 @@ public final class RigidSolver {
   private final WorkBudget budget;
   private final RigidStepper stepper;
   private final FreePoseSearch freeing;
+  private final boolean leavesSurface;
   private final DevicePoseFilter device = new DevicePoseFilter();
   private final Pose lastTarget = new Pose();
   private final Pose start = new Pose();
@@ -85,8 +78,6 @@ public final class RigidSolver {
   private boolean hasTarget;
   private int failedFrames;
   private int creepingFrames;
-  private int liftBackoff = 1;
-  private int liftWait;
   private long work;
   private long rests;
 
@@ -108,11 +99,12 @@ public final class RigidSolver {
    * @param scene belongs to this solver and those that {@link #ofBody} makes
    */
   public RigidSolver(RigidScene scene) {
-    this(scene, scene.toolIndex());
+    this(scene, scene.toolIndex(), false);
   }
 
-  private RigidSolver(RigidScene scene, int hand) {
+  private RigidSolver(RigidScene scene, int hand, boolean leavesSurface) {
     this.scene = scene;
+    this.leavesSurface = leavesSurface;
     this.hand = hand;
     verifier = scene.verifier(hand);
     tool = verifier.mover.shape;
@@ -132,8 +124,18 @@ public final class RigidSolver {
    * @throws IllegalArgumentException if the body stands still
    */
   public RigidSolver ofBody(int body) {
+    return ofBody(body, true);
+  }
+
+  /**
+   * {@return a solver as {@link #ofBody(int)} makes it}
+   *
+   * @param body the index of the body in the scene
+   * @param leavesSurface whether it may take steps along faces of voxels while the device moves
+   */
+  public RigidSolver ofBody(int body, boolean leavesSurface) {
     requireMovable(body);
-    return new RigidSolver(scene, body);
+    return new RigidSolver(scene, body, leavesSurface);
   }
 
   /**
@@ -256,8 +258,7 @@ public final class RigidSolver {
     motion.reducedPoints = verifier.reducedCount();
     stepper.reset();
     hasTarget = false;
-    liftBackoff = 1;
-    liftWait = 0;
+    budget.allowLifts();
     beginApproach();
   }
 
@@ -401,21 +402,10 @@ public final class RigidSolver {
       verifier.raiseLevels(LEVELS_PER_FRAME);
     }
     failedFrames = isKept ? 0 : failedFrames + 1;
-    planLifts(fallMm);
+    budget.endLifts(fallMm >= STUCK_EDGES * edgeMm);
     motion.contact = !arrived && (stepper.hasContacts() || !isKept);
     if (!motion.contact) {
       motion.contacts.clear();
-    }
-  }
-
-  /** Makes lifts rarer while they do not help and the device moves. */
-  private void planLifts(double fallMm) {
-    if (fallMm >= STUCK_EDGES * edgeMm) {
-      liftBackoff = 1;
-      liftWait = 0;
-    } else if (liftWait < 0) {
-      liftBackoff = Math.min(LONGEST_LIFT_WAIT, 2 * liftBackoff);
-      liftWait = liftBackoff;
     }
   }
 
@@ -449,9 +439,8 @@ public final class RigidSolver {
   private void approach(ToolMotion motion, double motionMm, double riseMm) {
     double catchUpMm = Math.max(CATCH_UP_EDGES * edgeMm, 1.5 * motionMm);
     double before = stepper.distanceMm();
-    double ceilingMm = potentialMm() + riseMm;
-    int pulls = motionMm == 0 || liftWait-- <= 0 ? PULLS.length : 0;
-    int lifts = 0;
+    double startMm = potentialMm();
+    budget.beginLifts(motionMm > 0);
     while (canContinue(motion) && !verifier.pose().sameBits(lastTarget)) {
       boolean first = !motion.hasFollowed();
       double pathLeftMm = maxStepMm - motion.pathMm;
@@ -467,20 +456,30 @@ public final class RigidSolver {
         continue;
       }
       double shortestMm = (first || motionMm == 0 ? 1e-9 : CORRECTION_EDGES) * edgeMm;
-      double mostRiseMm = Math.min(riseMm, Math.max(0, ceilingMm - last));
-      boolean stepped = stepper.step(mostRiseMm, mostMm, pathLeftMm, shortestMm);
-      boolean gained = stepped && hasGained(last);
-      if (!gained
-          && motionMm == 0
-          && stepper.depthMm() > DEEP_EDGES * edgeMm
-          && canContinue(motion)) {
+      double mostRiseMm = Math.min(riseMm, Math.max(0, startMm + riseMm - last));
+      boolean gained = stepper.step(mostRiseMm, mostMm, pathLeftMm, shortestMm) && hasGained(last);
+      if (!gained && canContinue(motion) && mayHaveRoom(motionMm, startMm)) {
         gained = stepper.stepOnFaces(mostMm, maxStepMm - motion.pathMm) && hasGained(last);
       }
-      boolean stuck = !gained && ceilingMm - riseMm - potentialMm() < STUCK_EDGES * edgeMm;
-      if (!gained && !(stuck && lifts < pulls && lift(motion, PULLS[lifts++]))) {
+      if (!gained && !(isStuck(startMm) && budget.hasLift() && lift(motion, budget.nextPull()))) {
         return;
       }
     }
+  }
+
+  /** Whether a frame has hardly lowered the potential at which it began. */
+  private boolean isStuck(double startMm) {
+    return startMm - potentialMm() < STUCK_EDGES * edgeMm;
+  }
+
+  /**
+   * Whether contacts on the smooth surface contradict each other, so that there may be room between
+   * it and the voxels. While the device moves, only a body in hand goes there, and only if stuck.
+   */
+  private boolean mayHaveRoom(double motionMm, double startMm) {
+    return motionMm == 0
+        ? stepper.depthMm() > DEEP_EDGES * edgeMm
+        : leavesSurface && isStuck(startMm) && stepper.contacts.pushApart();
   }
 
   private boolean hasGained(double potentialBefore) {

@@ -2,8 +2,10 @@ package org.palpate.rigid;
 
 /**
  * Counts the work of a frame and bounds it. The unit is the test of one point, about 50 ns. Work is
- * counted as if nothing were skipped, so that results are the same with and without skips. Haptic
- * thread only.
+ * counted as if nothing were skipped, so that results are the same with and without skips.
+ *
+ * <p>It also says which lifts a frame may try. While the device moves and lifts do not help, they
+ * become rarer. Haptic thread only.
  */
 final class WorkBudget {
   /** The work of solving a nearest-point problem. */
@@ -18,10 +20,19 @@ final class WorkBudget {
   /** The number of complete verifications that a frame may always use. */
   private static final long VERIFICATIONS = 5;
 
+  /** The fractions of the motion to the device that the lifts of a frame request, in order. */
+  private static final double[] PULLS = {0.02, 0, 0.1};
+
+  /** The most frames between two that try a lift while the device moves. */
+  private static final int LONGEST_PAUSE = 16;
+
   private final MoverVerifier verifier;
   private long testedBefore;
   private long otherWork;
   private long largestVerification;
+  private int liftPause = 1;
+  private int pauseLeft;
+  private int nextLift;
 
   WorkBudget(MoverVerifier verifier) {
     this.verifier = verifier;
@@ -57,5 +68,40 @@ final class WorkBudget {
   /** Whether the frame must end. */
   boolean isSpent() {
     return work() >= Math.max(LEAST_BUDGET, VERIFICATIONS * largestVerification);
+  }
+
+  /** Lets the next frame try lifts. */
+  void allowLifts() {
+    liftPause = 1;
+    pauseLeft = 0;
+  }
+
+  /** Begins the lifts of a frame. It may try some if the device rests or the pause is over. */
+  void beginLifts(boolean moves) {
+    nextLift = !moves || pauseLeft-- <= 0 ? 0 : PULLS.length;
+  }
+
+  /** Whether the frame may try another lift. */
+  boolean hasLift() {
+    return nextLift < PULLS.length;
+  }
+
+  /** Takes the next lift; returns the fraction of the motion to the device that it requests. */
+  double nextPull() {
+    return PULLS[nextLift++];
+  }
+
+  /**
+   * Ends the lifts of a frame.
+   *
+   * @param hasGained whether the frame came nearer to the device by enough to matter
+   */
+  void endLifts(boolean hasGained) {
+    if (hasGained) {
+      allowLifts();
+    } else if (pauseLeft < 0) {
+      liftPause = Math.min(LONGEST_PAUSE, 2 * liftPause);
+      pauseLeft = liftPause;
+    }
   }
 }
