@@ -220,7 +220,7 @@ class SmoothSolverTest {
           moving += framesThatLowerThePotential(solver, scene, field, source.metric, name + source);
         }
       }
-      assertTrue(moving > RandomCases.of(150), source + ": too few moving frames: " + moving);
+      assertTrue(moving > source.cases(300, 300), source + ": too few moving frames: " + moving);
     }
   }
 
