@@ -7,6 +7,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -47,12 +48,12 @@ record CommandRun(int exitCode, String out, String err) {
 
   /** Runs a command in a JVM of its own and waits for it. */
   static CommandRun waitFor(ProcessBuilder builder) throws IOException, InterruptedException {
-    Path err = Path.of(System.getProperty("java.io.tmpdir"), "err-" + System.nanoTime());
+    Path err = Files.createTempFile("palpate-err", ".txt");
     Process process = builder.redirectError(err.toFile()).start();
     String out = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     int exitCode = process.waitFor();
-    String errors = java.nio.file.Files.readString(err);
-    java.nio.file.Files.delete(err);
+    String errors = Files.readString(err);
+    Files.delete(err);
     return new CommandRun(exitCode, out, errors);
   }
 
