@@ -220,11 +220,15 @@ class FractureCommandTest {
             .redirectErrorStream(true)
             .redirectOutput(out.toFile())
             .start();
-    while (process.isAlive() && !ProcessThreads.has(process.pid(), "palpate-haptic")) {
-      Thread.onSpinWait();
+    try {
+      while (process.isAlive() && !ProcessThreads.has(process.pid(), "palpate-haptic")) {
+        Thread.onSpinWait();
+      }
+      process.destroy(); // SIGTERM, as Ctrl-C is SIGINT
+      assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process does not end");
+    } finally {
+      process.destroyForcibly();
     }
-    process.destroy(); // SIGTERM, as Ctrl-C is SIGINT
-    assertTrue(process.waitFor(60, TimeUnit.SECONDS), "the process does not end");
     String said = Files.readString(out);
     assertEquals(0, process.exitValue(), said);
     assertTrue(said.contains("planning how a simulated hand"), said);
