@@ -100,6 +100,7 @@ public final class Disassembly {
    * @param truth the place of each body that can move, rest to present
    * @param shapes the sample points of the bodies, and the clearance that they keep
    * @param reachMm the distance from its place at which a fragment is out
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public static List<Exit> of(
       BodyScene scene, List<Pose> truth, MovableShapes shapes, double reachMm) {

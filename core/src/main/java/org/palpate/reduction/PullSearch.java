@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.concurrent.CancellationException;
 import org.palpate.body.BodyScene;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -147,6 +148,13 @@ public final class PullSearch {
     return new RigidSolver(new RigidScene(bodies, ToolSampler.point(), shapes, settings));
   }
 
+  /** Throws if the thread is interrupted, which says that nobody waits for the result. */
+  static void requireWanted() {
+    if (Thread.currentThread().isInterrupted()) {
+      throw new CancellationException("the thread that plans was interrupted");
+    }
+  }
+
   /** Returns the bodies where they are. */
   BodyScene bodies() {
     return bodies;
@@ -180,6 +188,7 @@ public final class PullSearch {
    * @param most the most ways; the search ends once so many lead out without a detour
    * @return the ways out in different directions, that with the least detour first; it is back in
    *     its place
+   * @throws CancellationException if the thread is interrupted
    */
   public List<Pulled> straight(int fragment, Vec3 first, double reachMm, int most) {
     Reached start = begin(fragment);
@@ -225,6 +234,7 @@ public final class PullSearch {
    * @param reachMm the distance from its place at which it is out
    * @param seed chooses the pulls
    * @return how far it came; it is back in its place
+   * @throws CancellationException if the thread is interrupted
    */
   public Pulled around(int fragment, double reachMm, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
@@ -323,6 +333,7 @@ public final class PullSearch {
 
   /** Takes a fragment in hand at a pose that it has reached. */
   private RigidSolver take(int fragment, Reached from) {
+    requireWanted();
     put(fragment, from.body);
     point.place(NOWHERE, motion);
     hands[fragment].takeOver(motion);

@@ -109,6 +109,7 @@ public final class ReductionPlan {
    * @param truth the pose at which each body belongs, from rest to present
    * @param points the sample points of the bodies that the hand will move, and their clearance
    * @param seen the bodies that the hand sees while it carries out the plan, in the same order
+   * @throws java.util.concurrent.CancellationException if the thread is interrupted
    */
   public static ReductionPlan of(
       BodyScene bodies, List<Pose> truth, MovableShapes points, BodyScene seen) {

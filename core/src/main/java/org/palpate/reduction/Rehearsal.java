@@ -81,6 +81,7 @@ final class Rehearsal {
   }
 
   private boolean arrives(int fragment, WayHome way, long seed) {
+    PullSearch.requireWanted();
     RigidSolver solver = hands[fragment];
     Body body = bodies.body(fragment);
     Pose toHand = new Pose();

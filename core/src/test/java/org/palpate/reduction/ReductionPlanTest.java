@@ -2,12 +2,14 @@ package org.palpate.reduction;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
@@ -170,6 +172,16 @@ class ReductionPlanTest {
       }
     }
     assertEquals(1, presses);
+  }
+
+  @Test
+  void anInterruptEndsThePlan() {
+    Thread.currentThread().interrupt();
+    try {
+      assertThrows(CancellationException.class, this::plan);
+    } finally {
+      assertTrue(Thread.interrupted(), "the thread stays interrupted");
+    }
   }
 
   @Test

@@ -18,9 +18,10 @@ import org.palpate.geometry.Vec3;
  */
 final class PlannedHand implements HapticDevice {
   private final DeviceSpecification specification;
-  private final CompletableFuture<GuidedHand> plan;
+  private final CompletableFuture<GuidedHand> plan = new CompletableFuture<>();
+  private final Thread planner;
 
-  /** The hand once it is ready, else null. Haptic thread. */
+  /** The hand once it is planned, else null. Haptic thread. */
   private GuidedHand hand;
 
   private volatile boolean closed;
@@ -29,17 +30,23 @@ final class PlannedHand implements HapticDevice {
    * Begins to plan.
    *
    * @param radiusMm radius of the ball that the hand reaches
-   * @param newHand makes the plan and the hand; runs once, in the thread
+   * @param newHand makes the plan and the hand; runs once, in the thread, which {@link #close}
+   *     interrupts
    */
   PlannedHand(double radiusMm, Supplier<GuidedHand> newHand) {
     specification = GuidedHand.specification(radiusMm);
-    plan = CompletableFuture.supplyAsync(newHand, PlannedHand::startThread);
+    planner = new Thread(() -> plan(newHand), "palpate-plan");
+    planner.setDaemon(true);
+    planner.start();
   }
 
-  private static void startThread(Runnable task) {
-    Thread thread = new Thread(task, "palpate-plan");
-    thread.setDaemon(true);
-    thread.start();
+  /** Hands the hand over, or whatever kept it from being made. */
+  private void plan(Supplier<GuidedHand> newHand) {
+    try {
+      plan.complete(newHand.get());
+    } catch (Throwable thrown) {
+      plan.completeExceptionally(thrown);
+    }
   }
 
   @Override
@@ -48,12 +55,16 @@ final class PlannedHand implements HapticDevice {
   }
 
   /**
-   * Returns whether the plan is made.
+   * Returns whether the plan is made. A closed hand is ready too, because nothing more will come.
    *
    * @throws IllegalStateException if it failed; an error of the JVM is thrown as it is
    */
   @Override
   public boolean isReady() {
+    return closed || isPlanned();
+  }
+
+  private boolean isPlanned() {
     if (hand == null && plan.isDone()) {
       hand = planned();
     }
@@ -76,7 +87,7 @@ final class PlannedHand implements HapticDevice {
     if (closed) {
       return ReadStatus.DISCONNECTED;
     }
-    return isReady() ? hand.read(state) : ReadStatus.REPEATED;
+    return isPlanned() ? hand.read(state) : ReadStatus.REPEATED;
   }
 
   @Override
@@ -87,5 +98,6 @@ final class PlannedHand implements HapticDevice {
   @Override
   public void close() {
     closed = true;
+    planner.interrupt();
   }
 }

@@ -96,8 +96,8 @@ final class SessionScene {
 
   /**
    * Returns a simulated hand that puts the fragments of a bone back to where they rest, and then
-   * stays. It begins straight in front of its first fragment. Its plan is made in another
-   * thread, on bodies of its own.
+   * stays. It begins straight in front of its first fragment. Its plan is made in another thread,
+   * on bodies of its own.
    *
    * @param seed chooses the phases of its tremor
    * @param periodNanos time between two samples, positive

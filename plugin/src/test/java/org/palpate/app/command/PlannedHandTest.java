@@ -7,7 +7,9 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.palpate.device.DeviceState;
@@ -110,11 +112,31 @@ class PlannedHandTest {
 
   @Test
   void aClosedHandIsGoneBeforeAndAfterItsPlan() {
-    PlannedHand hand = planned(PlannedHandTest::guided);
+    PlannedHand unplanned = planned(PlannedHandTest::guided);
+    PlannedHand planned = planned(PlannedHandTest::guided);
+    awaitReady(planned);
+    for (PlannedHand hand : List.of(unplanned, planned)) {
+      hand.close();
+      assertTrue(hand.isReady(), "nobody waits for a closed hand");
+      assertEquals(ReadStatus.DISCONNECTED, hand.read(state));
+      assertFalse(hand.write(new Vec3(), new Vec3()));
+    }
+  }
+
+  @Test
+  void closingEndsThePlan() throws InterruptedException {
+    CountDownLatch interrupted = new CountDownLatch(1);
+    PlannedHand hand =
+        new PlannedHand(
+            RADIUS_MM,
+            () -> {
+              while (!Thread.currentThread().isInterrupted()) {
+                Thread.onSpinWait();
+              }
+              interrupted.countDown();
+              throw new CancellationException();
+            });
     hand.close();
-    assertEquals(ReadStatus.DISCONNECTED, hand.read(state));
-    awaitReady(hand);
-    assertEquals(ReadStatus.DISCONNECTED, hand.read(state));
-    assertFalse(hand.write(new Vec3(), new Vec3()));
+    assertTrue(interrupted.await(30, TimeUnit.SECONDS), "the plan goes on");
   }
 }
