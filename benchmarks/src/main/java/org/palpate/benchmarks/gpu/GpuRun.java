@@ -81,9 +81,13 @@ public final class GpuRun {
     StudyTable.GPU_LAUNCHES.write(folder, run.launches, GpuRun::cells);
     run.measureGrowth();
     run.measureCpu();
-    long gpus = run.measureDevices();
-    StudyTable.GPU.write(folder, run.times, PartTime::cells);
-    StudyTable.GPU_FRAMES.write(folder, run.frames, cells -> cells);
+    long gpus;
+    try {
+      gpus = run.measureDevices();
+    } finally { // a device that fails does not cost the times before it
+      StudyTable.GPU.write(folder, run.times, PartTime::cells);
+      StudyTable.GPU_FRAMES.write(folder, run.frames, cells -> cells);
+    }
     out.println(gpus == 0 ? "No GPU was measured." : gpus + " GPUs were measured.");
     out.flush();
     return gpus;
