@@ -12,7 +12,7 @@ interface ClDriver {
   /** Returns the name of the device. */
   String name();
 
-  /** Whether the device runs on the processors of the host, which waiting would keep from it. */
+  /** Whether the device runs on the processors of the host, which a busy wait takes from it. */
   boolean sharesProcessors();
 
   /** Allocates memory, bytes. */

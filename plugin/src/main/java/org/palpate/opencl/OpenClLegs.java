@@ -21,8 +21,9 @@ final class OpenClLegs implements LegBatch {
   private static final int MAP_BYTES = 12 * 8;
 
   /**
-   * The time for which the host polls a device without a pause that shares its processors, ns. A
-   * card is always polled so: a pause of the operating system takes as long as a whole answer.
+   * The time for which the host polls without a pause a device that shares its processors, ns. A
+   * card is polled without a pause to the end, because a pause of the operating system takes as
+   * long as a whole answer.
    */
   private static final long SPIN_NANOS = 50_000;
 

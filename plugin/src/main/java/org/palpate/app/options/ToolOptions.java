@@ -73,7 +73,8 @@ public final class ToolOptions {
         "Clearance of the tool: points (no point enters a solid), body (tool and solids do not"
             + " overlap), or a margin in mm between them. A negative margin lets them overlap by"
             + " that depth. Bodies that move keep it from each other, with --tool point too."
-            + " Default: body; points for a point, for an open mesh and with --points."
+            + " Default: that of the scene; else body, or points for a point, for an open mesh and"
+            + " with --points."
       })
   private String clearance;
 
