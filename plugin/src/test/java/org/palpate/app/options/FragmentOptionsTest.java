@@ -51,6 +51,7 @@ class FragmentOptionsTest {
 
   @Test
   void withoutAnOptionNothingIsWantedOrChecked() {
+    options().checkText();
     options().check(null);
     assertFalse(options().isWanted());
     assertFalse(options().isFracture());
@@ -60,6 +61,7 @@ class FragmentOptionsTest {
   @CsvSource({"4, 4, 1, 1", "2:77, 2, 77, 1", "8:0:0, 8, 0, 0", "3:5:4, 3, 5, 4"})
   void aFractureHasPartsASeedAndAKerf(String text, int parts, long seed, int kerf) {
     FragmentOptions options = options("--fracture=" + text);
+    options.checkText();
     options.check(FILE);
     assertTrue(options.isWanted() && options.isFracture());
     assertEquals(new FractureSpec(parts, seed, kerf), options.spec());
@@ -80,7 +82,7 @@ class FragmentOptionsTest {
             + " 4:7:1"
       })
   void aFractureOutOfRangeIsRefused(String text, String line) {
-    Given.refuses(line, () -> options("--fracture=" + text).check(FILE));
+    Given.refuses(line, options("--fracture=" + text)::checkText);
   }
 
   @ParameterizedTest
@@ -98,7 +100,7 @@ class FragmentOptionsTest {
         "the split is not understood: --split "
             + text
             + ": write components, components:500, components:500:6 or plane:X,Y,Z,NX,NY,NZ",
-        () -> options("--split=" + text).check(FILE));
+        options("--split=" + text)::checkText);
   }
 
   @Test
