@@ -272,6 +272,11 @@ public final class WorkspaceDevice extends DeviceDecorator {
     clutchRequested = requested;
   }
 
+  /** Holds the clutch if {@link #holdClutch} does not hold it yet, else releases it. Any thread. */
+  public void toggleClutch() {
+    clutchRequested = !clutchRequested;
+  }
+
   /** {@return whether {@link #holdClutch} holds the clutch} Any thread. */
   public boolean isClutchRequested() {
     return clutchRequested;

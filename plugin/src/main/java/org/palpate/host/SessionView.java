@@ -265,7 +265,7 @@ public final class SessionView implements AutoCloseable {
     MouseTakeover.mouseOf(device).ifPresent(mouse -> addMouse(input, mouse));
     if (device instanceof WorkspaceDevice mapped) {
       input.onKey(
-          ' ', "clutch: hold or release the point", () -> applyAndShow(() -> toggleClutch(mapped)));
+          ' ', "clutch: hold or release the point", () -> applyAndShow(mapped::toggleClutch));
     }
     slices.ifPresent(planes -> SliceKeys.add(input, planes, this::applyAndShow));
     threshold.ifPresent(
@@ -293,10 +293,6 @@ public final class SessionView implements AutoCloseable {
     withSurfaces(meshes -> meshes.replace(segment, bits, grey));
   }
 
-  private static void toggleClutch(WorkspaceDevice mapped) {
-    mapped.holdClutch(!mapped.isClutchRequested());
-  }
-
   private void applyAndShow(Runnable change) {
     change.run();
     overlay.invalidate();
@@ -308,6 +304,7 @@ public final class SessionView implements AutoCloseable {
 
   private SceneLoader startLoading() {
     SceneLoader started = SceneLoader.forWindow(model, volume, options.greys(), solids.poses(), 1);
+    options.ghosts().ifPresent(started::addGhosts);
     model.look(StandardView.OBLIQUE, (double) WIDTH / HEIGHT);
     loader = started;
     solids.showPoses(started); // Bodies may have moved meanwhile.

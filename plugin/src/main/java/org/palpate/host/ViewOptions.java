@@ -7,6 +7,7 @@ import org.palpate.scene.DeformationColour;
 import org.palpate.scene.MovableSlices;
 import org.palpate.scene.surface.GreyRange;
 import org.palpate.scene.window.ScenePanel;
+import org.palpate.volume.SegmentedVolume;
 
 /**
  * Options of a {@link SessionView} beyond surfaces made of bits.
@@ -25,6 +26,8 @@ import org.palpate.scene.window.ScenePanel;
  *     of the picture; the world must then be right-handed
  * @param clip the plane that cuts the surfaces open at first, if wanted; keys turn it
  * @param deformed colours deformed surfaces, if that is wanted
+ * @param ghosts segments that are drawn faintly and that nothing touches, if wanted; each stands
+ *     where its grid puts it
  */
 public record ViewOptions(
     List<Optional<GreyRange>> greys,
@@ -34,7 +37,8 @@ public record ViewOptions(
     Optional<Threshold> threshold,
     boolean axesFollowView,
     Optional<ClipPlane.Start> clip,
-    Optional<DeformationColour> deformed) {
+    Optional<DeformationColour> deformed,
+    Optional<SegmentedVolume> ghosts) {
 
   /**
    * A segment whose threshold changes while it is touched.
@@ -55,6 +59,7 @@ public record ViewOptions(
           false,
           Optional.empty(),
           false,
+          Optional.empty(),
           Optional.empty(),
           Optional.empty());
 
@@ -77,6 +82,7 @@ public record ViewOptions(
         threshold,
         axesFollowView,
         clip,
-        deformed);
+        deformed,
+        ghosts);
   }
 }

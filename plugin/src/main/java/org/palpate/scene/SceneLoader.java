@@ -52,6 +52,11 @@ public final class SceneLoader implements AutoCloseable {
 
   private final List<SurfaceJob> jobs = new CopyOnWriteArrayList<>();
 
+  private final int threads;
+
+  /** Builds the surfaces of ghosts, if there are any. */
+  private volatile Optional<SceneLoader> ghosts = Optional.empty();
+
   /** Whether the finer levels were started, or never will be. */
   private volatile boolean refined;
 
@@ -93,6 +98,7 @@ public final class SceneLoader implements AutoCloseable {
     this.model = model;
     this.greys = List.copyOf(greys);
     this.volume = volume;
+    this.threads = threads;
     isPlaced = !poses.isEmpty();
     builder = new SurfaceBuilder(threads);
     List<Segment> segments = volume.segments();
@@ -128,6 +134,21 @@ public final class SceneLoader implements AutoCloseable {
       List<RigidTransform> poses,
       int threads) {
     return new SceneLoader(model, volume, greys, poses, threads, true);
+  }
+
+  /**
+   * Adds ghosts, once: segments that are drawn faintly, each where its grid puts it. They are no
+   * segments of this loader, so they have no number and no welded surface. Their finer levels wait
+   * as those of this loader do. Before any other thread uses this loader.
+   *
+   * @param shown the ghosts
+   */
+  public void addGhosts(SegmentedVolume shown) {
+    List<RigidTransform> atRest =
+        Collections.nCopies(shown.segments().size(), RigidTransform.identity());
+    SceneLoader faint = new SceneLoader(model, shown, List.of(), atRest, threads, !refined);
+    faint.objects.forEach(object -> model.setOpacity(object, SceneModel.GHOST_OPACITY));
+    ghosts = Optional.of(faint);
   }
 
   private void addDetail(VoxelGrid grid) {
@@ -172,6 +193,7 @@ public final class SceneLoader implements AutoCloseable {
     if (!refined && isCoarseDone()) {
       refine();
     }
+    ghosts.ifPresent(SceneLoader::pictureDrawn);
   }
 
   /**
@@ -271,7 +293,7 @@ public final class SceneLoader implements AutoCloseable {
 
   /**
    * Returns the fraction of the surfaces that is complete, 0 to 1; each level of each segment
-   * counts alike.
+   * counts alike, and ghosts do not count.
    */
   public double progress() {
     int all = objects.size() * (COARSEST_LEVEL + 1);
@@ -279,13 +301,16 @@ public final class SceneLoader implements AutoCloseable {
   }
 
   /**
-   * Waits for every surface that was started.
+   * Waits for every surface that was started, those of ghosts too.
    *
    * @throws TimeoutException if it takes longer
    */
   public void await(long timeoutMillis) throws InterruptedException, TimeoutException {
     for (SurfaceJob job : jobs) {
       job.await(timeoutMillis);
+    }
+    if (ghosts.isPresent()) {
+      ghosts.get().await(timeoutMillis);
     }
   }
 
@@ -371,5 +396,6 @@ public final class SceneLoader implements AutoCloseable {
   public synchronized void close() {
     refined = true; // levels that were not started are never started
     builder.close();
+    ghosts.ifPresent(SceneLoader::close);
   }
 }

@@ -27,7 +27,8 @@ public final class SceneModel {
   /** One counter for all models, so that a renderer never confuses two models. */
   private static final AtomicLong REVISIONS = new AtomicLong();
 
-  private static final double GHOST_OPACITY = 0.25;
+  /** The opacity of a ghost: a faint copy of a segment, or a segment that nothing touches. */
+  static final double GHOST_OPACITY = 0.25;
 
   private final WorldAxes axes;
   private final List<SceneObject> objects = new ArrayList<>();

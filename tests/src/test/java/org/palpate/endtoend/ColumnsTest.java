@@ -168,6 +168,17 @@ class ColumnsTest {
     Set<String> keys =
         keys(report, moved, common, "Reports of bodies that move", "Reports of a tool");
     keys.addAll(keys(report, fracture, common, "Reports of fragments", "Reports of `info`"));
+    Object[] aimed = {
+      "touch", "--phantom", "fracture:64:2", "--headless", "--seconds", 0.3, "--ghost", fragments
+    };
+    String[] ofAimed = {
+      "Reports of `touch`",
+      "Reports of `touch` with bodies to hold",
+      "Reports of a tool",
+      "Reports of fragments",
+      "Reports of ghosts"
+    };
+    keys.addAll(keys(report, aimed, common, ofAimed, NO_PAIRS));
     Path fine = trajectory.resolveSibling("fine.nrrd");
     Object[] resample = {"info", "--volume", fragments, "--resample", "x2", "--export", fine};
     CommandRun.of(resample).mustSucceed();

@@ -100,6 +100,42 @@ class FractureCommandTest {
     assertFalse(FlatJson.read(report).containsKey("/segments/1/name"));
   }
 
+  @Test
+  void aToolPassesThroughAGhostAndTouchesTheSameVoxelsAsABody() throws IOException {
+    Path plate = folder.resolve("plate.nrrd");
+    Path block = folder.resolve("block.nrrd");
+    TestFiles.nrrd(plate, 16, v -> v[2] == 2 ? 1 : 0);
+    TestFiles.nrrd(block, 16, v -> v[2] >= 4 && v[2] < 12 ? 1 : 0);
+    VoxelGrid grid = VolumeFiles.open(block, ReadOptions.defaults()).header().grid();
+    StringBuilder rows = new StringBuilder("t_ms,x,y,z\n");
+    for (int ms = 0; ms <= 1500; ms++) {
+      Vec3 at = grid.gridToWorld(new Vec3(8.5, 8.5, 15 - ms / 125.0), new Vec3());
+      rows.append(ms + "," + at.x + "," + at.y + "," + at.z + "\n");
+    }
+    Path down = Files.writeString(folder.resolve("down.csv"), rows);
+    Path report = folder.resolve("r.json");
+    String body = "{\"name\":\"%s\",\"volume\":\"%s.nrrd\",\"mobility\":\"movable\"}";
+    String bodies = "{\"bodies\":[" + String.format(body, "plate", "plate") + "%s]}";
+    Path one = Files.writeString(folder.resolve("one.json"), String.format(bodies, ""));
+    Path two =
+        Files.writeString(
+            folder.resolve("two.json"),
+            String.format(bodies, "," + String.format(body, "block", "block")));
+    List<Object> touch = new ArrayList<>(List.of("touch", "--device", "replay:" + down));
+    touch.addAll(List.of("--headless", "--seconds", 2, "--report", report, "--scene"));
+    List<Object> solid = new ArrayList<>(touch);
+    solid.add(two);
+    CommandRun.of(solid.toArray()).mustSucceed();
+    assertTrue(Integer.parseInt(FlatJson.read(report).get("/contact_frames")) > 0);
+    touch.addAll(List.of(one, "--ghost", block + ":label:1"));
+    String out = CommandRun.of(touch.toArray()).mustSucceed().out();
+    Map<String, String> json = FlatJson.read(report);
+    assertEquals("0", json.get("/contact_frames"));
+    assertEquals("plate", json.get("/fracture/ghosts/0/body"));
+    assertTrue(out.contains("plate to ghost: "), out);
+    assertFalse(json.containsKey("/segments/1/name"), "a ghost is no segment that is touched");
+  }
+
   /** A brush erases a plate along a line, and the two halves become fragments. */
   @Test
   void aPaintedCutSplitsASegment() throws IOException {

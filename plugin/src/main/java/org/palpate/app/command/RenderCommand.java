@@ -13,6 +13,7 @@ import java.util.concurrent.TimeoutException;
 import javax.imageio.ImageIO;
 import org.palpate.app.options.ContactOptions;
 import org.palpate.app.options.ElasticOptions;
+import org.palpate.app.options.GhostOptions;
 import org.palpate.app.options.OutputOptions;
 import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.SliceOptions;
@@ -28,6 +29,7 @@ import org.palpate.geometry.RigidTransform;
 import org.palpate.host.ContactScene;
 import org.palpate.host.placing.GapColours;
 import org.palpate.io.file.AtomicFile;
+import org.palpate.io.scene.Ghosts;
 import org.palpate.io.table.BodyPose;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.VolumeFormatException;
@@ -64,6 +66,7 @@ import picocli.CommandLine.Spec;
       "  palpate render --phantom block --elastic block=young:20e3 --trajectory t.csv --out p.png",
       "  palpate render --phantom torus:96 --tool capsule:3,20 --trajectory t.csv --out held.png",
       "  palpate render --phantom fracture --gaps --out gaps.png",
+      "  palpate render --scene jaw.json --ghost mirrored.nrrd --out aim.png",
       "  palpate render --phantom fracture --poses t.poses.csv --out reduction.gif",
       "  palpate render --volume labels.nrrd --out labels.obj",
       "  palpate render --volume labels.nrrd --out print.stl --separate"
@@ -91,6 +94,7 @@ public final class RenderCommand implements Callable<Integer> {
           "--slices",
           "--gaps",
           "--clip",
+          GhostOptions.NAME,
           FilmOptions.POSES,
           FilmOptions.PICTURES,
           SurfaceOptions.DEFORMED);
@@ -105,6 +109,7 @@ public final class RenderCommand implements Callable<Integer> {
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
   @Mixin private FilmOptions film;
+  @Mixin private GhostOptions ghostOptions;
 
   @Option(
       names = "--out",
@@ -150,6 +155,9 @@ public final class RenderCommand implements Callable<Integer> {
       made = Optional.of(tool.make(source));
       inputs.addAll(made.get().files());
     }
+    CoordinateSystem world = source.header().coordinateSystem();
+    Optional<Ghosts> ghosts = ghostOptions.read(world, spec.commandLine().getErr());
+    ghosts.ifPresent(read -> inputs.addAll(read.files()));
     OutputPaths.checked("--out", outFile, inputs);
     surface.checkPossible(source);
     if (!surfaceOnly && !GraphicsDriver.hasDisplay()) {
@@ -159,12 +167,9 @@ public final class RenderCommand implements Callable<Integer> {
     SegmentedVolume segments = segments(source);
     SurfaceExport export = new SurfaceExport(outFile, separate);
     if (surfaceOnly) {
-      List<Path> targets = new ArrayList<>(export.targets(segments.segments()));
-      targets.forEach(target -> OutputPaths.checked("--out", target, inputs));
-      output.report().ifPresent(targets::add);
-      OutputPaths.checkDistinct(targets);
+      checkTargets(export.targets(segments.segments()), inputs);
     }
-    SceneModel model = new SceneModel(axes(source.header().coordinateSystem()), picture.theme());
+    SceneModel model = new SceneModel(axes(world), picture.theme());
     showMarks(model, source, segments);
     surface.clip().ifPresent(model::clip);
     surface.deformed().ifPresent(by -> model.changeLook(look -> look.with(by)));
@@ -178,6 +183,7 @@ public final class RenderCommand implements Callable<Integer> {
         poses.isEmpty()
             ? new SceneLoader(model, segments, greys, threads)
             : SceneLoader.ofPlaced(model, segments, poses, threads)) {
+      ghosts.ifPresent(read -> loader.addGhosts(read.segments()));
       awaitSurfaces(loader, source);
       showGaps(loader, segments, poses);
       report.put("surface_ms", millisSince(started));
@@ -187,7 +193,7 @@ public final class RenderCommand implements Callable<Integer> {
             .write(
                 SurfaceExport.placed(loader.weldedSurfaces(), source.placements(), segments),
                 segments,
-                source.header().coordinateSystem())
+                world)
             .forEach(spec.commandLine().getOut()::println);
         spec.commandLine().getOut().flush();
       } else {
@@ -203,6 +209,13 @@ public final class RenderCommand implements Callable<Integer> {
   private SegmentedVolume segments(VolumeSource source) throws VolumeFormatException {
     PrintWriter err = spec.commandLine().getErr();
     return trajectory == null ? source.segments(err, false) : contact.segments(source, err, false);
+  }
+
+  private void checkTargets(List<Path> surfaces, List<Path> inputs) {
+    List<Path> targets = new ArrayList<>(surfaces);
+    targets.forEach(target -> OutputPaths.checked("--out", target, inputs));
+    output.report().ifPresent(targets::add);
+    OutputPaths.checkDistinct(targets);
   }
 
   private List<Path> inputs(VolumeSource source) {

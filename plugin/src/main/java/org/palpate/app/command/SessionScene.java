@@ -153,24 +153,34 @@ final class SessionScene {
     return notes;
   }
 
-  /** Returns readings of the fragment in hand for a view; empty if no body can be taken. */
+  /**
+   * Returns readings of the fragment in hand for a view; empty if no body can be taken.
+   *
+   * @param ghosts what it is also read against, if there is any
+   */
   Optional<LiveReadings> readings(
-      TouchSession session, SessionView view, ConsoleViewListener listener) {
+      TouchSession session,
+      SessionView view,
+      ConsoleViewListener listener,
+      Optional<SegmentedVolume> ghosts) {
     Optional<LiveReadings> readings =
         session
             .toolFrame()
             .filter(frame -> session.canHold() && !scene.placements().isEmpty())
-            .map(frame -> newReadings(frame, view, listener));
+            .map(frame -> newReadings(frame, view, listener, ghosts));
     readings.ifPresent(made -> listener.addKeys(made.colours()::addTo));
     return readings;
   }
 
   private LiveReadings newReadings(
-      ToolFrame frame, SessionView view, ConsoleViewListener listener) {
+      ToolFrame frame,
+      SessionView view,
+      ConsoleViewListener listener,
+      Optional<SegmentedVolume> ghosts) {
     List<Pose> starts = scene.placements().stream().map(Placement::pose).toList();
     return new LiveReadings(
         frame,
-        new HeldReadings(scene.volume(), starts),
+        new HeldReadings(scene.volume(), starts, ghosts),
         scene.volume(),
         view,
         listener::landmarkLines);

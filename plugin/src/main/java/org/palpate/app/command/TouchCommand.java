@@ -18,6 +18,7 @@ import org.palpate.app.options.DeviceChoice;
 import org.palpate.app.options.DeviceOptions;
 import org.palpate.app.options.ElasticOptions;
 import org.palpate.app.options.FeelOptions;
+import org.palpate.app.options.GhostOptions;
 import org.palpate.app.options.LinkOptions;
 import org.palpate.app.options.MappingOptions;
 import org.palpate.app.options.NumberRange;
@@ -50,6 +51,7 @@ import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.ViewOptions;
 import org.palpate.host.placing.FaceFitting;
+import org.palpate.io.scene.Ghosts;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.loop.LoopEnd;
@@ -88,6 +90,7 @@ import picocli.CommandLine.Spec;
       "  palpate touch --device mouse",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --slices point",
       "  palpate touch --volume scan.nrrd --segment 'bone=>=1500' --igtl 18944",
+      "  palpate touch --scene jaw.json --ghost mirrored.nrrd",
       "  palpate touch --explain",
       "  palpate touch --explain --collision-device opencl"
     })
@@ -104,6 +107,7 @@ public final class TouchCommand implements Callable<Integer> {
   @Mixin private OutputOptions output;
   @Mixin private SliceOptions slices;
   @Mixin private SurfaceOptions surface;
+  @Mixin private GhostOptions ghostOptions;
   @Mixin private LinkOptions linkOptions;
   @Mixin private PoseOptions savedPoses;
   @Mixin private RecordOptions record;
@@ -142,6 +146,7 @@ public final class TouchCommand implements Callable<Integer> {
   private Optional<SceneAutosave> autosave = Optional.empty();
   private Optional<SessionAssessment> assessment = Optional.empty();
   private ChosenCollisionDevice judge;
+  private Optional<SegmentedVolume> ghosts = Optional.empty();
 
   @Override
   public Integer call() throws IOException {
@@ -157,6 +162,7 @@ public final class TouchCommand implements Callable<Integer> {
     NumberRange.seconds().checkGiven(seconds);
     mapping.takeFrom(volume);
     checkOptionCombination();
+    ghostOptions.check(headless, volume.isPlaced());
     volume.refuseSpacing();
     tool.takeFrom(volume, spec.commandLine().getParseResult());
     contact.takeFrom(volume, spec.commandLine().getParseResult());
@@ -225,6 +231,7 @@ public final class TouchCommand implements Callable<Integer> {
     List<Path> inputs = new ArrayList<>(source.files());
     inputs.addAll(choice.files());
     inputs.addAll(feel.files());
+    inputs.addAll(readGhosts(source));
     Optional<MadeTool> made = tool.isRigid() ? Optional.of(tool.make(source)) : Optional.empty();
     made.ifPresent(each -> inputs.addAll(each.files()));
     Report report = new Report("touch", output.report(), inputs);
@@ -279,6 +286,14 @@ public final class TouchCommand implements Callable<Integer> {
     }
   }
 
+  /** Reads the ghosts, and returns their files. */
+  private List<Path> readGhosts(VolumeSource source) throws VolumeFormatException {
+    Optional<Ghosts> read =
+        ghostOptions.read(source.header().coordinateSystem(), spec.commandLine().getErr());
+    ghosts = read.map(Ghosts::segments);
+    return read.map(Ghosts::files).orElse(List.of());
+  }
+
   private void checkTargets(List<Path> first, List<Path> inputs) {
     List<Path> targets = new ArrayList<>(first);
     output.report().ifPresent(targets::add);
@@ -296,7 +311,7 @@ public final class TouchCommand implements Callable<Integer> {
       VolumeSource source, SessionScene scene, FragmentExport bodies, Report report) {
     PlacedVolume left = scene.left(source);
     if (source.placed().isPresent()) {
-      FractureReport readings = new FractureReport(left);
+      FractureReport readings = new FractureReport(left, ghosts);
       readings.lines().forEach(out::println);
       report.put("fracture", readings.field());
     }
@@ -410,7 +425,8 @@ public final class TouchCommand implements Callable<Integer> {
                   () -> view.map(SessionView::landmarks).orElse(List.of()),
                   supervisor::stop));
       LoopEnd end =
-          supervisor.run(view.flatMap(shown -> scene.readings(session, shown, listener)), fitting);
+          supervisor.run(
+              view.flatMap(shown -> scene.readings(session, shown, listener, ghosts)), fitting);
       link.ifPresent(SessionLink::pause);
       recording.finish();
       return new TouchReport(session, end, choice, opened, supervisor, view, realtime.throttled());
@@ -455,6 +471,7 @@ public final class TouchCommand implements Callable<Integer> {
                     .map(start -> new ViewOptions.Threshold(scene, start, thresholdRefusal())),
             mapping.followsView(),
             surface.clip(),
-            surface.deformed()));
+            surface.deformed(),
+            ghosts));
   }
 }

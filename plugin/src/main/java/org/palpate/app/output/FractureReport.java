@@ -4,19 +4,38 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import org.palpate.body.Mobility;
 import org.palpate.fracture.FractureReadings;
 import org.palpate.fracture.PairReadings;
+import org.palpate.fracture.fit.GhostDistance;
+import org.palpate.geometry.Pose;
 import org.palpate.host.placing.ReadingText;
 import org.palpate.io.file.CountText;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.fracture.PosedBits;
 
 /** The readings of the fragments of a scene, as lines and as a field of a report. */
 public final class FractureReport {
   private final List<String> names;
   private final FractureReadings readings;
+  private final List<ToGhost> toGhosts = new ArrayList<>();
+
+  /** The distances of a body that can move from a ghost. */
+  private record ToGhost(String body, String ghost, GhostDistance distance) {}
+
+  /**
+   * Reads the bodies of a scene where they stand, and those that can move against ghosts too.
+   *
+   * @param ghosts the ghosts, if there are any
+   */
+  public FractureReport(PlacedVolume bodies, Optional<SegmentedVolume> ghosts) {
+    this(bodies);
+    ghosts.ifPresent(faint -> readGhosts(bodies, faint));
+  }
 
   /** Reads the bodies of a scene where they stand. */
   public FractureReport(PlacedVolume bodies) {
@@ -24,9 +43,23 @@ public final class FractureReport {
     readings = FractureReadings.read(PosedBits.of(bodies.rest(), bodies.poses()));
   }
 
+  private void readGhosts(PlacedVolume bodies, SegmentedVolume faint) {
+    List<PosedBits> posed = PosedBits.of(bodies.rest(), bodies.poses());
+    for (int n = 0; n < posed.size(); n++) {
+      for (int m = 0;
+          bodies.placements().get(n).mobility() == Mobility.MOVABLE && m < faint.segments().size();
+          m++) {
+        Segment ghost = faint.segments().get(m);
+        PosedBits there = new PosedBits(ghost.bits(), faint.grid(m), new Pose());
+        GhostDistance distance = GhostDistance.read(posed.get(n), there);
+        toGhosts.add(new ToGhost(names.get(n), ghost.name(), distance));
+      }
+    }
+  }
+
   /**
-   * Returns a line for each pair that faces each other, one for each that overlaps, and one for the
-   * whole.
+   * Returns a line for each pair that faces each other, one for each that overlaps, one for each
+   * body and ghost, and one for the whole.
    */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
@@ -46,6 +79,9 @@ public final class FractureReport {
               + " overlap in "
               + CountText.of(each.voxels(), "pair")
               + " of voxels");
+    }
+    for (ToGhost each : toGhosts) {
+      lines.add(each.body() + " to " + each.ghost() + ": " + ReadingText.of(each.distance()));
     }
     lines.add(
         "farthest from rest, relative to the largest: "
@@ -83,6 +119,20 @@ public final class FractureReport {
       pairs.add(entry);
     }
     field.put("pairs", pairs);
+    if (!toGhosts.isEmpty()) {
+      field.put("ghosts", toGhosts.stream().map(FractureReport::entry).toList());
+    }
     return field;
+  }
+
+  private static Map<String, Object> entry(ToGhost each) {
+    Map<String, Object> entry = new LinkedHashMap<>();
+    entry.put("body", each.body());
+    entry.put("ghost", each.ghost());
+    entry.put("distance_mean_mm", each.distance().meanMm());
+    entry.put("distance_p95_mm", each.distance().mostlyMm());
+    entry.put("distance_largest_mm", each.distance().largestMm());
+    entry.put("share", each.distance().share());
+    return entry;
   }
 }

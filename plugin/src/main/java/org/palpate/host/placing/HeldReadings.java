@@ -2,9 +2,11 @@ package org.palpate.host.placing;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.palpate.body.BodyGroups;
 import org.palpate.fracture.PairReadings;
 import org.palpate.fracture.Residual;
+import org.palpate.fracture.fit.GhostDistance;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.io.file.NumberText;
@@ -19,6 +21,7 @@ import org.palpate.volume.fracture.PosedBits;
 public final class HeldReadings {
   private final SegmentedVolume rest;
   private final List<Pose> starts;
+  private final Optional<SegmentedVolume> ghosts;
   private final int reference;
 
   /**
@@ -26,9 +29,11 @@ public final class HeldReadings {
    *
    * @param rest the fragments at rest
    * @param starts the pose of each at the start
+   * @param ghosts what the fragments are also read against, if there is any
    */
-  public HeldReadings(SegmentedVolume rest, List<Pose> starts) {
+  public HeldReadings(SegmentedVolume rest, List<Pose> starts, Optional<SegmentedVolume> ghosts) {
     this.rest = rest;
+    this.ghosts = ghosts;
     this.starts = starts;
     int largest = 0;
     for (int n = 0; n < rest.segments().size(); n++) {
@@ -52,9 +57,10 @@ public final class HeldReadings {
   }
 
   /**
-   * {@return a line for each fragment that one faces, and a line about its motion since the start}
-   * If it did not start where it rests, there is a line about its distance from there, relative to
-   * the largest fragment. Some hundred milliseconds for fragments of 10,000 voxels.
+   * {@return a line for each fragment that one faces, one for each ghost, and a line about its
+   * motion since the start} If it did not start where it rests, there is a line about its distance
+   * from there, relative to the largest fragment. Some hundred milliseconds for fragments of 10,000
+   * voxels.
    *
    * @param fragment the index of the fragment in hand
    * @param poses the present pose of each fragment, from rest to present, world mm
@@ -72,6 +78,7 @@ public final class HeldReadings {
         }
       }
     }
+    ghosts.ifPresent(faint -> addGhosts(faint, fragment, own, lines));
     lines.add(
         name(fragment) + ": moved " + ReadingText.of(Residual.since(starts.get(fragment), own)));
     if (fragment != reference && !starts.get(fragment).sameBits(new Pose())) {
@@ -80,6 +87,15 @@ public final class HeldReadings {
           name(fragment) + ": from where it rests " + ReadingText.of(Residual.fromRest(own, base)));
     }
     return lines;
+  }
+
+  private void addGhosts(SegmentedVolume faint, int fragment, PosedBits own, List<String> lines) {
+    for (int n = 0; n < faint.segments().size(); n++) {
+      Segment ghost = faint.segments().get(n);
+      PosedBits there = new PosedBits(ghost.bits(), faint.grid(n), new Pose());
+      String distance = ReadingText.of(GhostDistance.read(own, there));
+      lines.add(name(fragment) + " to " + ghost.name() + ": " + distance);
+    }
   }
 
   private PosedBits posed(int n, List<RigidTransform> poses) {

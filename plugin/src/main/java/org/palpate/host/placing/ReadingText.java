@@ -3,6 +3,7 @@ package org.palpate.host.placing;
 import java.util.Locale;
 import org.palpate.fracture.PairReadings;
 import org.palpate.fracture.Residual;
+import org.palpate.fracture.fit.GhostDistance;
 
 /**
  * Readings of fragments in words, to about the digits that they are right to. Each has a fixed
@@ -29,6 +30,23 @@ public final class ReadingText {
         step,
         r.contactMm2(),
         r.facingMm2());
+  }
+
+  /**
+   * {@return the distances of a fragment from a ghost}
+   *
+   * @param d the distances
+   */
+  public static String of(GhostDistance d) {
+    return d.isNear()
+        ? String.format(
+            Locale.ROOT,
+            "distance %.2f mm, 95 %% under %.2f, at most %.2f; read on %.0f %% of its surface",
+            d.meanMm(),
+            d.mostlyMm(),
+            d.largestMm(),
+            100 * d.share())
+        : String.format(Locale.ROOT, "more than %.0f mm apart", GhostDistance.MOST_MM);
   }
 
   /** Returns a rounded number; of a small negative one, 0 without a sign. */

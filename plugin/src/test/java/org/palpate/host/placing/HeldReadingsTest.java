@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.BodyGroups;
 import org.palpate.geometry.Pose;
@@ -57,7 +58,7 @@ class HeldReadingsTest {
 
   @Test
   void aFragmentIsReadAgainstItsNeighboursAndItsStart() {
-    HeldReadings readings = new HeldReadings(bar, starts);
+    HeldReadings readings = new HeldReadings(bar, starts, Optional.empty());
     Pose middle = moved(0.5, Math.toRadians(10));
     List<String> lines =
         readings.lines(1, transforms(new Pose(), middle, new Pose()), BodyGroups.none(3));
@@ -77,14 +78,14 @@ class HeldReadingsTest {
 
   @Test
   void theHeadingSaysWhetherTheFragmentIsInHand() {
-    HeldReadings readings = new HeldReadings(bar, starts);
+    HeldReadings readings = new HeldReadings(bar, starts, Optional.empty());
     assertEquals("in hand: middle", readings.heading(1, true));
     assertEquals("touched last: left", readings.heading(0, false));
   }
 
   @Test
   void whatMovesWithItIsLeftOutAndOverlapIsCounted() {
-    HeldReadings readings = new HeldReadings(bar, starts);
+    HeldReadings readings = new HeldReadings(bar, starts, Optional.empty());
     List<RigidTransform> poses = transforms(new Pose(), moved(-2.5, 0), new Pose());
     List<String> lines = readings.lines(1, poses, BodyGroups.none(3).bound(1, 2));
     assertEquals(2, lines.size(), lines.toString());
@@ -93,9 +94,23 @@ class HeldReadingsTest {
   }
 
   @Test
+  void aFragmentIsReadAgainstEachGhost() {
+    SegmentedVolume ghosts =
+        new SegmentedVolume(GRID, List.of(new Segment("ghost", part(0, 56), 0)));
+    HeldReadings readings = new HeldReadings(bar, starts, Optional.of(ghosts));
+    List<RigidTransform> poses = transforms(new Pose(), moved(1, 0), moved(0, 0));
+    List<String> lines = readings.lines(1, poses, BodyGroups.none(3));
+    assertEquals(4, lines.size(), lines.toString());
+    assertTrue(lines.get(2).startsWith("middle to ghost: distance 0.0"), lines.get(2));
+    poses = transforms(new Pose(), moved(300, 0), new Pose());
+    lines = readings.lines(1, poses, BodyGroups.none(3));
+    assertTrue(lines.contains("middle to ghost: more than 4 mm apart"), lines.toString());
+  }
+
+  @Test
   void aFragmentThatStartedElsewhereIsAlsoReadFromWhereItRests() {
     List<Pose> displaced = List.of(moved(3, 0), moved(9, 0), moved(5, 0));
-    HeldReadings readings = new HeldReadings(bar, displaced);
+    HeldReadings readings = new HeldReadings(bar, displaced, Optional.empty());
     List<RigidTransform> poses = transforms(moved(3, 0), moved(10, 0), moved(5, 0));
     List<String> middle = readings.lines(1, poses, BodyGroups.none(3));
     assertEquals("middle: moved 1.00 mm, 0.0 degrees", middle.get(middle.size() - 2));

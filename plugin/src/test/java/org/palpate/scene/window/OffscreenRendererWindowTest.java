@@ -347,6 +347,33 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
+  void aGhostIsDrawnFaintlyWhereItStandsAndTheSegmentsBehindItAreSeen() throws Exception {
+    RigidTransform lower = RigidTransform.identity();
+    lower.origin().set(0, 0, -EDGE);
+    SegmentedVolume below = volume(lower);
+    SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
+    try (SceneLoader loader = new SceneLoader(model, volume(RigidTransform.identity()), 1)) {
+      loader.addGhosts(
+          new SegmentedVolume(
+              below.grid(), List.of(new Segment("ghost", below.segments().get(0).bits(), BLUE))));
+      loader.await(60_000);
+      assertEquals(2, loader.weldedSurfaces().size(), "a ghost is no segment of the loader");
+    }
+    model.look(StandardView.FRONT, 4.0 / 3);
+    SceneObject ghost = model.objects().get(2);
+    Picture shown = scene.draw(model.state());
+    model.setVisible(ghost, false);
+    Picture without = scene.draw(model.state());
+    model.setVisible(ghost, true);
+    model.setOpacity(ghost, 1);
+    Picture opaque = scene.draw(model.state());
+    int upper = differing(shown, without, 0, 0, WIDTH, HEIGHT / 2);
+    int lowerHalf = differing(shown, without, 0, HEIGHT / 2, WIDTH, HEIGHT);
+    assertTrue(upper < 10 && lowerHalf > 1000, upper + " and " + lowerHalf + " pixels differ");
+    assertTrue(differing(shown, opaque, 0, HEIGHT / 2, WIDTH, HEIGHT) > 1000, "it is faint");
+  }
+
+  @Test
   void anEditAppearsInTheNextPicture() throws Exception {
     SegmentedVolume volume = volume(RigidTransform.identity());
     SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);

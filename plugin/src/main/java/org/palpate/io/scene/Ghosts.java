@@ -1,0 +1,131 @@
+package org.palpate.io.scene;
+
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.palpate.io.VolumeFiles;
+import org.palpate.io.label.SegmentBuilder;
+import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.volume.AxisSigns;
+import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.io.volume.ReadOptions;
+import org.palpate.io.volume.VolumeFormatException;
+import org.palpate.io.volume.VolumeReader;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+import org.palpate.volume.VoxelGrid;
+
+/**
+ * Ghosts: segments of files that are drawn faintly, for a hand to aim at. Nothing touches them.
+ *
+ * @param segments the ghosts, each on its own grid, which lies in the world of the scene
+ * @param files the files that hold them, which no output may replace
+ * @param notes what the user should know, a sentence each
+ */
+public record Ghosts(SegmentedVolume segments, List<Path> files, List<String> notes) {
+  private static final int RGB = 0x8FF0E0;
+
+  /** Copies the lists. */
+  public Ghosts {
+    files = List.copyOf(files);
+    notes = List.copyOf(notes);
+  }
+
+  /**
+   * Reads ghosts. The first is called ghost, the others ghost2, ghost3 and so on.
+   *
+   * @param texts {@code FILE} or {@code FILE:RULE} for each, at least one, with a rule as in {@code
+   *     --segment}; without one, a ghost is all that is not 0
+   * @param world the directions of the scene's world axes, into which files are turned
+   * @throws VolumeFormatException if a file cannot be read, a rule is not understood, or a ghost
+   *     has no voxel
+   */
+  public static Ghosts read(List<String> texts, CoordinateSystem world)
+      throws VolumeFormatException {
+    List<Segment> segments = new ArrayList<>();
+    List<VoxelGrid> grids = new ArrayList<>();
+    List<Path> files = new ArrayList<>();
+    List<String> notes = new ArrayList<>();
+    for (String text : texts) {
+      String name = segments.isEmpty() ? "ghost" : "ghost" + (segments.size() + 1);
+      Source source = Source.parse(text, name);
+      VolumeReader reader = VolumeFiles.open(source.file(), ReadOptions.defaults());
+      segments.add(source.read(reader));
+      files.addAll(reader.files());
+      VoxelGrid grid = reader.header().grid();
+      Optional<VoxelGrid> turned =
+          AxisSigns.convert(grid, reader.header().coordinateSystem(), world);
+      if (turned.isEmpty()) {
+        notes.add(BodyReader.unknownAxes(reader.sourceName()));
+      }
+      grids.add(turned.orElse(grid));
+    }
+    return new Ghosts(new SegmentedVolume(grids.get(0), segments, grids), files, notes);
+  }
+
+  /** The file of a ghost, and which of its voxels are solid. */
+  private record Source(String text, Path file, SegmentSpec spec) {
+    /** Takes what follows a colon as a rule if it is one, and else as a part of the file's name. */
+    static Source parse(String text, String name) throws VolumeFormatException {
+      for (int colon = text.indexOf(':'); colon > 0; colon = text.indexOf(':', colon + 1)) {
+        Optional<SegmentSpec> rule = rule(name, text.substring(colon + 1));
+        if (rule.isPresent()) {
+          return new Source(text, path(text, colon), rule.get());
+        }
+      }
+      for (int colon = text.indexOf(':'); colon > 0; colon = text.indexOf(':', colon + 1)) {
+        if (!Files.exists(path(text, text.length())) && Files.exists(path(text, colon))) {
+          throw new VolumeFormatException(
+              "the voxels of the ghost are not understood",
+              "--ghost " + text,
+              "write FILE, FILE:>=1500, FILE:300..900, FILE:label:7 or FILE:name:Mandible");
+        }
+      }
+      return new Source(text, path(text, text.length()), SegmentSpec.nonzero(name));
+    }
+
+    private static Optional<SegmentSpec> rule(String name, String text) {
+      try {
+        return Optional.of(SegmentSpec.parse(name + "=" + text));
+      } catch (VolumeFormatException e) {
+        return Optional.empty();
+      }
+    }
+
+    private static Path path(String text, int end) throws VolumeFormatException {
+      try {
+        return Path.of(text.substring(0, end));
+      } catch (InvalidPathException e) {
+        throw new VolumeFormatException(
+            "this is no name of a file", "--ghost " + text, "name a volume file", e);
+      }
+    }
+
+    Segment read(VolumeReader reader) throws VolumeFormatException {
+      SegmentSpec resolved = resolved(reader).withRgb(RGB);
+      Segment segment = SegmentBuilder.read(reader, List.of(resolved)).segments().get(0);
+      if (segment.bits().solidCount() == 0) {
+        throw new VolumeFormatException(
+            "the ghost has no voxel",
+            "--ghost " + text,
+            "palpate info --volume prints the values of a volume");
+      }
+      return segment;
+    }
+
+    private SegmentSpec resolved(VolumeReader reader) throws VolumeFormatException {
+      try {
+        return spec.resolved(reader.header().labels());
+      } catch (VolumeFormatException e) {
+        throw new VolumeFormatException(
+            "the volume has no label of this name",
+            "--ghost " + text,
+            "choose one that palpate info prints, or write FILE:label:7",
+            e);
+      }
+    }
+  }
+}
