@@ -82,7 +82,7 @@ final class ContactConstraints {
   /** The normals of two contacts with a smaller cosine point against each other. */
   private static final double OPPOSED_COSINE = -0.3;
 
-  /** Two normals with a smaller cosine push apart: no open surface bends so much. */
+  /** Two normals with a smaller cosine push apart, as those on the faces of two teeth do. */
   private static final double APART_COSINE = 0.5;
 
   /** A contact is near if its point is lower than this over the surface, edges. */
