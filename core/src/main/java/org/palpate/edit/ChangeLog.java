@@ -35,6 +35,31 @@ public interface ChangeLog {
    */
   void forgetFrom(long change);
 
+  /**
+   * {@return whether changes may be undone now} Asked once, before a stroke is undone.
+   *
+   * @param first the number of the first of the changes
+   * @param end the number of the change after the last of them
+   */
+  default boolean mayUndo(long first, long end) {
+    return true;
+  }
+
+  /**
+   * {@return whether changes may be done again now} Asked once, before a stroke is redone.
+   *
+   * @param first the number of the first of the changes
+   * @param end the number of the change after the last of them
+   */
+  default boolean mayRedo(long first, long end) {
+    return true;
+  }
+
+  /** {@return whether the changes of a stroke are undone and redone at once, however many} */
+  default boolean isAtOnce() {
+    return false;
+  }
+
   /** Begins a stroke: changes of different strokes must not be merged into one. */
   void beginStroke();
 }

@@ -34,6 +34,7 @@ public final class UndoHistory {
   private final long[] positions;
 
   private boolean isMoving;
+  private long refused;
 
   /**
    * Creates an empty history over logs.
@@ -55,6 +56,11 @@ public final class UndoHistory {
   /** {@return whether a stroke is undone or done again in part, so that nothing else may change} */
   public boolean isMoving() {
     return isMoving;
+  }
+
+  /** {@return how often undo or redo was refused, and left the stroke as it was} */
+  public long refused() {
+    return refused;
   }
 
   /** Forgets the strokes that were undone. Call it before each change. */
@@ -171,12 +177,12 @@ public final class UndoHistory {
    * Undoes the last stroke or a part of it.
    *
    * @param mostChanges the most changes to undo, at least 1
-   * @return whether the stroke is undone; true as well if there is none
+   * @return whether the stroke is undone; true as well if there is none, or if it is refused
    */
   public boolean undo(int mostChanges) {
     if (!isMoving) {
       endStroke();
-      if (!canUndo(0)) {
+      if (!canUndo(0) || !mayMove(true)) {
         return true;
       }
       isMoving = true;
@@ -184,7 +190,7 @@ public final class UndoHistory {
     int left = mostChanges;
     for (int log = logs.length - 1; log >= 0; log--) {
       long target = ends[at(done - 1) + log];
-      while (positions[log] > target && left-- > 0) {
+      while (positions[log] > target && (logs[log].isAtOnce() || left-- > 0)) {
         logs[log].undo(--positions[log]);
       }
       if (positions[log] > target) {
@@ -199,17 +205,17 @@ public final class UndoHistory {
    * Redoes the stroke that was undone last, or a part of it.
    *
    * @param mostChanges the most changes to do, at least 1
-   * @return whether the stroke is done again; true as well if there is none
+   * @return whether the stroke is done again; true as well if there is none, or if it is refused
    */
   public boolean redo(int mostChanges) {
-    if (!isMoving && known == done) {
+    if (!isMoving && (known == done || !mayMove(false))) {
       return true;
     }
     isMoving = true;
     int left = mostChanges;
     for (int log = 0; log < logs.length; log++) {
       long target = ends[at(done + 1) + log];
-      while (positions[log] < target && left-- > 0) {
+      while (positions[log] < target && (logs[log].isAtOnce() || left-- > 0)) {
         logs[log].redo(positions[log]++);
       }
       if (positions[log] < target) {
@@ -217,6 +223,23 @@ public final class UndoHistory {
       }
     }
     arriveAt(done + 1);
+    return true;
+  }
+
+  /** Whether each log lets the next stroke be undone, or be done again; counts it if not. */
+  private boolean mayMove(boolean isUndo) {
+    int target = at(isUndo ? done - 1 : done + 1);
+    for (int log = 0; log < logs.length; log++) {
+      long next = ends[target + log];
+      boolean may =
+          isUndo
+              ? logs[log].mayUndo(next, positions[log])
+              : logs[log].mayRedo(positions[log], next);
+      if (!may) {
+        refused++;
+        return false;
+      }
+    }
     return true;
   }
 

@@ -54,6 +54,9 @@ final class Grasp {
 
   private int held = NO_BODY;
 
+  /** For each body the strays that had been noted when the hand took hold. */
+  private final long[] straysBefore;
+
   /** For each body whether it is held or moves along with the one that is. */
   private final boolean[] moves;
 
@@ -77,6 +80,7 @@ final class Grasp {
     grip = tool;
     ofBody = new Grip[bodies.count()];
     starts = new Pose[ofBody.length];
+    straysBefore = new long[ofBody.length];
     moves = new boolean[ofBody.length];
     for (int n = 0; n < ofBody.length; n++) {
       starts[n] = new Pose();
@@ -216,12 +220,26 @@ final class Grasp {
 
   private void begin(int body) {
     starts[body].set(bodies.body(body).pose());
+    straysBefore[body] = placements.strays();
     moves[body] = true;
   }
 
   /** Whether a body is held or moves along with the one that is. */
   boolean moves(int body) {
     return moves[body];
+  }
+
+  /** Notes that a body moved. Undo cannot take that back, unless the hand moves the body. */
+  void noteIfAstray(int body) {
+    if (!moves[body]) {
+      placements.noteStray(body);
+    }
+  }
+
+  /** Sets the pose of a body, which undo cannot take back. */
+  void putAstray(int body, Pose pose) {
+    bodies.body(body).setPose(pose);
+    placements.noteStray(body);
   }
 
   /**
@@ -247,7 +265,7 @@ final class Grasp {
     for (int n = 0; n < moves.length; n++) {
       Pose now = bodies.body(n).pose();
       if (moves[n] && !now.sameBits(starts[n])) {
-        placements.note(n, starts[n], now);
+        placements.note(n, starts[n], now, straysBefore[n]);
       }
       moves[n] = false;
     }

@@ -102,7 +102,7 @@ public final class ToolFrame extends HapticFrame {
     motion = solver.newMotion();
     this.edits = edits;
     this.publisher = publisher;
-    PlacementLog placements = new PlacementLog((body, pose) -> bodies.body(body).setPose(pose));
+    PlacementLog placements = new PlacementLog(new BodyPlacer(bodies, solver.bodies()));
     EditListener noted = (segment, changed) -> bodies.body(segment).voxelsChanged(changed);
     voxels = new VoxelWriter(new CollisionScene(bodies.cubes()), noted, placements);
     limitMovableBodies();
@@ -406,7 +406,7 @@ public final class ToolFrame extends HapticFrame {
       case RELEASED -> letGo();
       case PLACED -> {
         if (!holds) { // Undo waits while a body is held.
-          bodies.body(body).setPose(pose);
+          grasp.putAstray(body, pose);
         }
       }
       case MOVED, HELD -> {

@@ -128,6 +128,18 @@ public final class BodyMover {
     Arrays.fill(hasGoal, false);
   }
 
+  /**
+   * {@return whether a body at a pose would keep its whole clearance from another one, and neither
+   * would enclose the other} The other stays where it is. Haptic thread, between two frames.
+   *
+   * @param body the index of a body that can move
+   * @param restToPresent the pose of that body, world mm
+   * @param other the index of the other body
+   */
+  public boolean keepsClear(int body, Pose restToPresent, int other) {
+    return scene.keepsClear(body, restToPresent, other);
+  }
+
   /** {@return the number of steps in which a body pushed the tool} */
   public long pushes() {
     return pushes;

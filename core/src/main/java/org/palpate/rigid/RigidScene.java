@@ -6,6 +6,10 @@ import java.util.List;
 import java.util.Map;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
+import org.palpate.geometry.AffineMap;
+import org.palpate.geometry.Pose;
+import org.palpate.geometry.Vec3;
+import org.palpate.raycast.ExactRayCaster;
 import org.palpate.rigid.Mover.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
 
@@ -35,6 +39,10 @@ public final class RigidScene {
   private final List<BodyVerifier> examined = new ArrayList<>();
 
   private int nextExamined;
+  private final ExactRayCaster caster = new ExactRayCaster();
+  private final AffineMap toGrid = new AffineMap();
+  private final Pose ofPoints = new Pose();
+  private final Vec3 position = new Vec3();
 
   /** The number of edits of all bodies that {@link #takeEdits} has seen. */
   private long editsSeen;
@@ -166,6 +174,30 @@ public final class RigidScene {
   /** Returns the verifier of a mover by its index; null for a body that stands still. */
   MoverVerifier verifier(int mover) {
     return verifiers[mover];
+  }
+
+  /** Whether a body at a pose keeps clear of another one; see {@link BodyMover#keepsClear}. */
+  boolean keepsClear(int body, Pose restToPresent, int other) {
+    BodyVerifier pair = pairs[body][other];
+    boolean carriesPoints = pair.points == movers[body];
+    Pose ofOther =
+        bodies.body(other).pose(); // undo may have set it, and the mover not yet taken it
+    pair.points.toReference(carriesPoints ? restToPresent : ofOther, ofPoints);
+    return keepsClear(pair, carriesPoints ? ofOther : restToPresent);
+  }
+
+  /** Whether all points of a pair keep their clearance if they are put somewhere. */
+  private boolean keepsClear(BodyVerifier pair, Pose ofVoxels) {
+    ClearanceLevels grown = pair.levels;
+    grown.takeEdits();
+    grown.body.toolToGrid(ofVoxels, ofPoints, toGrid);
+    for (int n = 0; n < pair.points.shape.count(); n++) {
+      pair.points.shape.point(n, position);
+      if (grown.freeLevel(position, toGrid, grown.highest, caster) < grown.highest) {
+        return false;
+      }
+    }
+    return !pair.enclosure().enclosesAny(ofPoints, ofVoxels);
   }
 
   /**

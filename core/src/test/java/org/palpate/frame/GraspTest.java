@@ -219,13 +219,10 @@ class GraspTest extends HeldBlocks {
     frame.requestLetGo();
     run(1);
     undo();
-    run(1); // one body a frame
     assertTrue(block.pose().sameBits(blockBefore) && small.pose().sameBits(smallBefore));
     redo();
-    run(1);
     assertTrue(block.pose().sameBits(blockPut) && small.pose().sameBits(smallPut));
     undo();
-    run(1); // one body a frame
     frame.requestGroups(frame.groups().alone(2));
     moveTo(hand.x, hand.y, 30);
     turn.setIdentity();

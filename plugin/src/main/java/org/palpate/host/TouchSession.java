@@ -320,7 +320,8 @@ public final class TouchSession implements AutoCloseable {
 
   /**
    * Undoes the last edit, cut or placement of a body, as soon as no earlier edit waits. Without one
-   * nothing happens. Any thread.
+   * nothing happens, nor if a body that {@link #moveBody} moved is where the placed one was. Any
+   * thread.
    *
    * @return false if the queue of edits is full; then try again later
    */
@@ -329,8 +330,8 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /**
-   * Redoes what was undone last, as soon as no earlier edit waits. Without one nothing happens. Any
-   * thread.
+   * Redoes what was undone last, as soon as no earlier edit waits, with the exceptions of {@link
+   * #undo}. Any thread.
    *
    * @return false if the queue of edits is full; then try again later
    */
