@@ -58,9 +58,14 @@ final class NearestPixels {
     }
   }
 
-  /** Returns the squared distance from which on a search within {@link #REACH} may miss pixels. */
-  static double endSquare(PixelEdges edges) {
-    return Math.min(edges.square(REACH + 1, 0), edges.square(0, REACH + 1));
+  /** Returns the number of steps that reach pixels nearer than a squared distance. */
+  int stepsBefore(double square) {
+    int count = 0;
+    while (count < steps.length
+        && edges.square(steps[count] >> ALONG, steps[count] & OFF) < square) {
+      count++;
+    }
+    return count;
   }
 
   /**
@@ -68,7 +73,7 @@ final class NearestPixels {
    * equal distance, the one with fewer rows comes first.
    */
   private List<Integer> stepsInOrder() {
-    double endSquare = endSquare(edges);
+    double endSquare = edges.nearestBeyond(REACH);
     List<Integer> inOrder = new ArrayList<>();
     for (int off = 0; off <= REACH; off++) {
       for (int along = 0; along <= REACH; along++) {
@@ -89,11 +94,19 @@ final class NearestPixels {
    * @param solid whether the nearest solid or the nearest empty pixel is sought
    * @param columns the pixels of the tile for which a nearest pixel is sought, a bit each; they are
    *     of the other kind
+   * @param end the steps of the search, see {@link #stepsBefore}
    * @param dest receives the distance to the outline for each pixel that is returned
-   * @return the pixels of {@code columns} for which one was found within reach
+   * @return the pixels of {@code columns} for which one was found
    */
   int find(
-      int brickU, int brickV, int slice, int other, boolean solid, int columns, double[] dest) {
+      int brickU,
+      int brickV,
+      int slice,
+      int other,
+      boolean solid,
+      int columns,
+      int end,
+      double[] dest) {
     int turn = 4 * brickU - REACH;
     int v = 4 * brickV;
     long up = 0;
@@ -103,7 +116,7 @@ final class NearestPixels {
     long down = up;
     spread[0] = up;
     long left = spaced(columns);
-    for (int n = 0; n < steps.length && left != 0; n++) {
+    for (int n = 0; n < end && left != 0; n++) {
       int off = steps[n] & OFF;
       int along = steps[n] >> ALONG;
       if (along == 0) {

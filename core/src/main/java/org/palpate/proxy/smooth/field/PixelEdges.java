@@ -26,6 +26,11 @@ record PixelEdges(double u, double v) {
     return alongU * alongU * (u * u) + alongV * alongV * (v * v);
   }
 
+  /** Returns the squared distance to the nearest pixel that lies farther away along u or v. */
+  double nearestBeyond(int pixels) {
+    return Math.min(square(pixels + 1, 0), square(0, pixels + 1));
+  }
+
   /**
    * Returns the distance from the middle of a pixel to the outline before another: half a pixel
    * less than to the middle of that one. For the pixel itself it is -0.5.

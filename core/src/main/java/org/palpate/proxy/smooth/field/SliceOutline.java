@@ -8,13 +8,18 @@ import java.util.Arrays;
  * the other kind.
  *
  * <p>Most outlines are near. All columns of a tile look for them at once, see {@link
- * NearestPixels}. Only columns without one search the whole reach, one by one.
+ * NearestPixels}. Only columns without one search farther, one by one. Bricks around the tile are
+ * read in rings, from near to far, while some column has not found its outline.
  *
  * <p>Pixels farther than the reach are not searched. References: shape-based interpolation by
  * distances to the outline, Raya and Udupa 1990; Herman, Zheng and Bucholtz 1992.
  */
 final class SliceOutline {
+  /** The bricks around a tile in which {@link NearestPixels} searches. */
   private static final int NEAR_BRICKS = (NearestPixels.REACH + 3) / 4;
+
+  /** How many bricks around a tile are read at first, next and so on, before all within reach. */
+  private static final int[] RINGS = {1, NEAR_BRICKS, 4};
 
   /** The most columns of a tile that are searched one by one, which takes less time then. */
   private static final int FEW_COLUMNS = 4;
@@ -44,8 +49,14 @@ final class SliceOutline {
   /** From this on squared distances count as out of reach. */
   private final double endSquare;
 
-  /** The same for pixels that {@link NearestPixels} would find. */
-  private final double endOfNear;
+  /** For each ring, how many bricks around a tile are read; the last one reads all in reach. */
+  private final int[] ringBricks;
+
+  /** For each ring, the squared distance from which on its bricks may lack pixels. */
+  private final double[] ringEnds;
+
+  /** For each ring, the steps of {@link NearestPixels} for which its bricks suffice. */
+  private final int[] nearSteps;
 
   /** The squared lengths of offsets along u, in pixels up to {@link #FARTHEST}. */
   private final double[] squaresU = new double[FARTHEST + 1];
@@ -75,16 +86,42 @@ final class SliceOutline {
     this.edges = edges;
     this.reach = reach;
     nearest = new NearestPixels(bits, edges);
-    endOfNear = NearestPixels.endSquare(edges);
     endSquare = (reach + 1) * (reach + 1);
     reachU = pixels(edges.u());
     reachV = pixels(edges.v());
     reachBricks = (Math.max(reachU, reachV) + 3) / 4;
+    ringBricks = ringsWithin(reachBricks);
+    ringEnds = new double[ringBricks.length];
+    nearSteps = new int[ringBricks.length];
+    for (int ring = 0; ring < ringBricks.length; ring++) {
+      ringEnds[ring] = endOfRing(ringBricks[ring]);
+      nearSteps[ring] = nearest.stepsBefore(ringEnds[ring]);
+    }
     mostRounded = edges.halfDiagonal() + ROUNDING;
     Arrays.setAll(squaresU, along -> edges.square(along, 0));
     Arrays.setAll(squaresV, off -> edges.square(0, off));
     distances = new double[(reachU + 1) * (reachV + 1)];
     Arrays.setAll(distances, n -> edges.toOutline(n % (reachU + 1), n / (reachU + 1)));
+  }
+
+  /** Returns the rings with fewer bricks than are within reach, and then all of these. */
+  private static int[] ringsWithin(int reachBricks) {
+    int count = 0;
+    while (count < RINGS.length && RINGS[count] < reachBricks) {
+      count++;
+    }
+    int[] rings = Arrays.copyOf(RINGS, count + 1);
+    rings[count] = reachBricks;
+    return rings;
+  }
+
+  /** Returns the squared distance from which on a ring of bricks may lack pixels. */
+  private double endOfRing(int bricks) {
+    if (bricks == reachBricks) {
+      return endSquare;
+    }
+    int pixels = bricks <= NEAR_BRICKS ? Math.min(4 * bricks, NearestPixels.REACH) : 4 * bricks;
+    return Math.min(endSquare, edges.nearestBeyond(pixels));
   }
 
   /** Returns the most pixels that a search reads to one side of a pixel, given their edge. */
@@ -120,48 +157,68 @@ final class SliceOutline {
    */
   void measure(
       int brickU, int brickV, int slice, int other, boolean solid, int columns, double[] dest) {
-    bits.cover(brickU, brickV, slice, NEAR_BRICKS);
-    bits.cover(brickU, brickV, other, NEAR_BRICKS);
-    int found = 0;
-    if (Integer.bitCount(columns) <= FEW_COLUMNS) {
-      found = measureNear(brickU, brickV, slice, other, solid, columns, dest);
-    } else if (isAnyWithin(0, 0, brickU, brickV, slice, other, solid)
-        || isAnyWithin(
-            NearestPixels.REACH, NearestPixels.REACH, brickU, brickV, slice, other, solid)) {
-      found = nearest.find(brickU, brickV, slice, other, solid, columns, dest);
+    int left = columns;
+    for (int ring = 0; left != 0 && ring < ringBricks.length; ring++) {
+      bits.cover(brickU, brickV, slice, ringBricks[ring]);
+      bits.cover(brickU, brickV, other, ringBricks[ring]);
+      left &= ~measureWithin(ring, brickU, brickV, slice, other, solid, left, dest);
     }
-    if (found != columns) {
-      measureFar(brickU, brickV, slice, other, solid, columns & ~found, dest);
+    for (; left != 0; left &= left - 1) {
+      dest[Integer.numberOfTrailingZeros(left)] = reach;
     }
   }
 
-  /** Measures columns whose outline is near, one by one; returns them. */
-  private int measureNear(
-      int brickU, int brickV, int slice, int other, boolean solid, int columns, double[] dest) {
+  /** Measures the columns whose outline lies within the bricks of a ring; returns them. */
+  private int measureWithin(
+      int ring,
+      int brickU,
+      int brickV,
+      int slice,
+      int other,
+      boolean solid,
+      int columns,
+      double[] dest) {
+    boolean isNear = ringBricks[ring] <= NEAR_BRICKS;
+    boolean areFew = Integer.bitCount(columns) <= FEW_COLUMNS;
+    if (isNear && areFew) {
+      return measureEach(ringEnds[ring], brickU, brickV, slice, other, solid, columns, dest);
+    }
+    int along = 4 * ringBricks[ring];
+    if (!isAnyWithin(
+        Math.min(along, reachU), Math.min(along, reachV), brickU, brickV, slice, other, solid)) {
+      return 0;
+    }
+    return isNear
+        ? nearest.find(brickU, brickV, slice, other, solid, columns, nearSteps[ring], dest)
+        : measureEach(ringEnds[ring], brickU, brickV, slice, other, solid, columns, dest);
+  }
+
+  /**
+   * Measures columns one by one.
+   *
+   * @param end the squared distance from which on pixels do not count
+   * @return those for which a pixel was found
+   */
+  private int measureEach(
+      double end,
+      int brickU,
+      int brickV,
+      int slice,
+      int other,
+      boolean solid,
+      int columns,
+      double[] dest) {
     int found = 0;
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
-      if (findNearest(
-          4 * brickU + (column & 3), 4 * brickV + (column >> 2), slice, other, solid, endOfNear)) {
-        dest[column] = distanceToNearest();
+      int u = 4 * brickU + (column & 3);
+      int v = 4 * brickV + (column >> 2);
+      if (findNearest(u, v, slice, other, solid, end)) {
+        dest[column] = Math.min(reach, distanceToNearest());
         found |= 1 << column;
       }
     }
     return found;
-  }
-
-  private void measureFar(
-      int brickU, int brickV, int slice, int other, boolean solid, int columns, double[] dest) {
-    coverAll(brickU, brickV, slice);
-    coverAll(brickU, brickV, other);
-    boolean any = isAnyWithin(reachU, reachV, brickU, brickV, slice, other, solid);
-    for (int left = columns; left != 0; left &= left - 1) {
-      int column = Integer.numberOfTrailingZeros(left);
-      dest[column] =
-          any
-              ? distance(4 * brickU + (column & 3), 4 * brickV + (column >> 2), slice, other, solid)
-              : reach;
-    }
   }
 
   /** Whether a rectangle around the pixels of a tile holds any pixel of a kind. */
