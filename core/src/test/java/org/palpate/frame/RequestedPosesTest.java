@@ -14,15 +14,19 @@ import org.palpate.body.Mobility;
 import org.palpate.device.DeviceState;
 import org.palpate.device.ReadStatus;
 import org.palpate.edit.EditQueue;
+import org.palpate.edit.HistoryEdit;
 import org.palpate.fracture.VoxelOverlap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.ScriptedDevice;
 import org.palpate.volume.fracture.PosedBits;
 
-/** Another thread asks blocks to go through each other, and to let them be taken, as frames run. */
+/**
+ * Another thread asks blocks to go through each other, to let them be taken, and to undo where they
+ * were put, as frames run.
+ */
 class RequestedPosesTest extends HeldBlocks {
-  private static final int FRAMES = 3_000;
+  private static final long FRAMES = Long.getLong("palpate.threadFrames", 3_000);
   private static final double W_MAX_MM = 4; // that of the blocks' frames
 
   private final Body floor = body("floor", 40, 40, 5, 5, Mobility.FIXED, new Vec3());
@@ -30,9 +34,8 @@ class RequestedPosesTest extends HeldBlocks {
   private final Body small = cube("small", 4, new Vec3(30, 16, 8));
   private final BodyScene bodies = new BodyScene(List.of(floor, block, small));
   private final SplittableRandom ofHand = new SplittableRandom(1);
-  private final ToolFrame frame =
-      newFrame(
-          new ScriptedDevice(this::sample), bodies, EditQueue.ofBodies(bodies.grids()), 10_000);
+  private final EditQueue edits = EditQueue.ofBodies(bodies.grids());
+  private final ToolFrame frame = newFrame(new ScriptedDevice(this::sample), bodies, edits, 10_000);
 
   @Override
   ToolFrame frame() {
@@ -66,7 +69,7 @@ class RequestedPosesTest extends HeldBlocks {
     asked.await();
     long motions = 0;
     try {
-      for (int n = 0; n < FRAMES; n++) {
+      for (long n = 0; n < FRAMES; n++) {
         run(1);
         motions += frame.motion().bodies().count();
         assertTrue(frame.motion().pathMm() <= W_MAX_MM + 1e-9);
@@ -95,6 +98,8 @@ class RequestedPosesTest extends HeldBlocks {
       frame.requestTake();
     } else if (random.nextInt(50) == 0) {
       frame.requestLetGo();
+    } else if (random.nextInt(50) == 0) {
+      edits.offer(random.nextBoolean() ? HistoryEdit.undo() : HistoryEdit.redo());
     }
   }
 
