@@ -27,7 +27,7 @@ public final class ReplayDevice implements HapticDevice {
             Double.POSITIVE_INFINITY,
             0,
             0,
-            true,
+            trajectory.hasOrientations(),
             Double.POSITIVE_INFINITY);
     this.trajectory = trajectory;
   }

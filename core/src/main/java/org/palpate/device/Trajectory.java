@@ -193,6 +193,11 @@ public final class Trajectory {
     dest.relocated = relocations.get(sample);
   }
 
+  /** {@return whether any orientation differs from the identity} */
+  public boolean hasOrientations() {
+    return quaternions != null;
+  }
+
   /**
    * Writes the orientation of a sample.
    *

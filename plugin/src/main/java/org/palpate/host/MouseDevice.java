@@ -3,9 +3,9 @@ package org.palpate.host;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.DeviceState;
 import org.palpate.device.HandTarget;
-import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
 import org.palpate.device.SimulatedDevice;
+import org.palpate.device.TurnableDevice;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -15,7 +15,7 @@ import org.palpate.geometry.Vec3;
  * way to the pointer, so it moves and turns smoothly. A new press makes it jump. Any thread moves
  * the pointer; the haptic thread reads the device.
  */
-public final class MouseDevice implements HapticDevice {
+public final class MouseDevice implements TurnableDevice {
   /** Part of the remaining distance to the pointer that is covered in a millisecond. */
   private static final double APPROACH_PER_MS = 0.02;
 
@@ -90,6 +90,7 @@ public final class MouseDevice implements HapticDevice {
    *
    * @param rotationVector axis times angle, world axes, rad
    */
+  @Override
   public synchronized void turn(Vec3 rotationVector) {
     Motion now = motion;
     Pose target = new Pose();

@@ -6,13 +6,14 @@ import org.palpate.device.DeviceState;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.ReadStatus;
+import org.palpate.device.TurnableDevice;
 import org.palpate.geometry.Vec3;
 
 /**
  * A simulated hand that the mouse takes over as soon as the user presses with it. Threads are those
  * of {@link MouseDevice}.
  */
-public final class MouseTakeover extends DeviceDecorator {
+public final class MouseTakeover extends DeviceDecorator implements TurnableDevice {
   private final MouseDevice mouse;
   private final long intervalNanos;
   private long reads;
@@ -40,6 +41,14 @@ public final class MouseTakeover extends DeviceDecorator {
     return device instanceof MouseDevice mouse
         ? Optional.of(mouse)
         : device instanceof MouseTakeover takeover ? Optional.of(takeover.mouse) : Optional.empty();
+  }
+
+  /** Turns the mouse once it has pressed; until then the hand turns by itself. */
+  @Override
+  public void turn(Vec3 rotationVector) {
+    if (mouse.hasJumped()) {
+      mouse.turn(rotationVector);
+    }
   }
 
   /** Reads the hand, or the mouse once it has pressed. */

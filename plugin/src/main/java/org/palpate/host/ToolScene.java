@@ -12,6 +12,7 @@ import org.palpate.collision.CollisionDevice;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
+import org.palpate.device.TurnableDevice;
 import org.palpate.edit.EditQueue;
 import org.palpate.force.EffectSite;
 import org.palpate.force.ForceSettings;
@@ -339,5 +340,45 @@ public final class ToolScene {
     newNeedle(coupling).ifPresent(made::use);
     newMass(frame, coupling).ifPresent(made::use);
     return made;
+  }
+
+  /**
+   * The tool in a session.
+   *
+   * @param device delivers the poses that the frame follows
+   */
+  record Held(ToolScene scene, ToolFrame frame, ToolPublisher publisher, HapticDevice device) {
+
+    /** Takes hold of the movable body that is pressed, or lets go of the one that is held. */
+    void toggleHold() {
+      if (frame.heldBody() < 0) {
+        frame.requestTake();
+      } else {
+        frame.requestLetGo();
+      }
+    }
+
+    /** Whether {@link #turn} turns bodies, because the device does not. */
+    boolean canTurn() {
+      return scene.hasMovableBodies() && device instanceof TurnableDevice;
+    }
+
+    /** Turns the body in hand by a rotation vector in world axes, rad. Returns whether it may. */
+    boolean turn(Vec3 rotationVector) {
+      boolean turns = frame.heldBody() >= 0 && device instanceof TurnableDevice;
+      if (turns) {
+        ((TurnableDevice) device).turn(rotationVector);
+      }
+      return turns;
+    }
+
+    /** Returns the pose of each body in the last frame that was taken, from rest to present. */
+    List<RigidTransform> bodyPoses() {
+      List<RigidTransform> poses = scene.startPoses();
+      for (int n = 0; n < poses.size(); n++) {
+        poses.set(n, publisher.bodyPose(n).orElse(poses.get(n)));
+      }
+      return poses;
+    }
   }
 }

@@ -7,6 +7,7 @@ import java.util.function.Supplier;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.SimulatedDevice;
+import org.palpate.device.TurnedDevice;
 import org.palpate.edit.Edit;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
@@ -70,7 +71,7 @@ public final class TouchSession implements AutoCloseable {
   private final HapticLoop loop;
   private final ContactTuning tuning;
   private final TouchProperties properties = new TouchProperties(new Accumulator());
-  private final Optional<HeldTool> held;
+  private final Optional<ToolScene.Held> held;
   private final Optional<MassiveContact> mass;
   private final Optional<ElasticBody> elastic;
   private final Optional<ElasticThread> elasticThread;
@@ -143,7 +144,8 @@ public final class TouchSession implements AutoCloseable {
    * @param settings pace, recorders and listener
    */
   public TouchSession(ToolScene scene, HapticDevice worldDevice, SessionSettings settings) {
-    device = recorded(worldDevice, settings.recorder());
+    HapticDevice turnable = TurnedDevice.of(worldDevice, this::isHolding);
+    device = recorded(turnable, settings.recorder());
     DeviceSpecification specification = worldDevice.specification();
     double defaultNewtonPerMm = settings.defaultNewtonPerMm(scene.contactScene(), specification);
     FrameSettings frameSettings = scene.liveFrame(specification, defaultNewtonPerMm);
@@ -161,17 +163,18 @@ public final class TouchSession implements AutoCloseable {
         SimulatedDevice.withOrientation(WARM_UP_SEED, scene.handTarget(), WarmUp.PERIOD_NANOS);
     Runnable warmUp = WarmUp.ofSession(scene.newWarmUpFrame(hand, frameSettings, coupling), device);
     loop = newLoop(frame, settings, warmUp);
-    held = Optional.of(new HeldTool(scene, frame, publisher));
+    held = Optional.of(new ToolScene.Held(scene, frame, publisher, turnable));
     mass = Optional.empty();
     elastic = Optional.empty();
     elasticThread = Optional.empty();
   }
 
-  /** The rigid tool of a session. */
-  record HeldTool(ToolScene scene, ToolFrame frame, ToolPublisher publisher) {}
-
   private static HapticDevice recorded(HapticDevice device, Optional<SampleRecorder> recorder) {
     return recorder.isPresent() ? new RecordingDevice(device, recorder.get()) : device;
+  }
+
+  private boolean isHolding() {
+    return frame instanceof ToolFrame tool && tool.heldBody() >= 0;
   }
 
   private HapticLoop newLoop(HapticFrame frame, SessionSettings settings, Runnable warmUp) {
@@ -270,15 +273,23 @@ public final class TouchSession implements AutoCloseable {
    * in the next frame. Any thread.
    */
   public void toggleHold() {
-    held.map(HeldTool::frame)
-        .ifPresent(
-            frame -> {
-              if (frame.heldBody() < 0) {
-                frame.requestTake();
-              } else {
-                frame.requestLetGo();
-              }
-            });
+    held.ifPresent(ToolScene.Held::toggleHold);
+  }
+
+  /** {@return whether {@link #turnHeld} turns bodies: the device's own samples do not} */
+  public boolean canTurnHeld() {
+    return held.filter(ToolScene.Held::canTurn).isPresent();
+  }
+
+  /**
+   * Turns the body in hand about the device's point, at a bounded rate; see {@link TurnedDevice}.
+   * Any thread.
+   *
+   * @param rotationVector axis times angle, world axes, rad; finite, at most pi in length
+   * @return false if no body is held, or the device turns it itself
+   */
+  public boolean turnHeld(Vec3 rotationVector) {
+    return held.isPresent() && held.get().turn(rotationVector);
   }
 
   /**
@@ -287,20 +298,12 @@ public final class TouchSession implements AutoCloseable {
    * frame.
    */
   public List<RigidTransform> bodyPoses() {
-    if (held.isEmpty()) {
-      return List.of();
-    }
-    HeldTool tool = held.get();
-    List<RigidTransform> poses = tool.scene().startPoses();
-    for (int n = 0; n < poses.size(); n++) {
-      poses.set(n, tool.publisher().bodyPose(n).orElse(poses.get(n)));
-    }
-    return poses;
+    return held.map(ToolScene.Held::bodyPoses).orElseGet(List::of);
   }
 
   /** {@return the frame of the rigid tool, for its methods that are for any thread} */
   public Optional<ToolFrame> toolFrame() {
-    return held.map(HeldTool::frame);
+    return held.map(ToolScene.Held::frame);
   }
 
   /**
@@ -426,7 +429,7 @@ public final class TouchSession implements AutoCloseable {
   }
 
   /** Returns the rigid tool that the session holds; empty if it touches with a point. */
-  Optional<HeldTool> held() {
+  Optional<ToolScene.Held> held() {
     return held;
   }
 

@@ -126,10 +126,22 @@ public final class Camera {
    * @return the rotation vector, world axes, rad
    */
   public Vec3 dragRotation(double right, double up, WorldAxes world) {
+    return turn(new Vec3(-Math.PI * up, Math.PI * right, 0), world);
+  }
+
+  /**
+   * Returns in the world a turn as the viewer sees it.
+   *
+   * @param seen the rotation vector along the axes right, up and towards the viewer, rad
+   * @param world the axes of the world
+   * @return the rotation vector, world axes, rad
+   */
+  public Vec3 turn(Vec3 seen, WorldAxes world) {
     RigidTransform picture = axes(world);
-    Vec3 drag = picture.rotate(new Vec3(right, up, 0), new Vec3());
-    Vec3 towardsViewer = picture.rotate(new Vec3(0, 0, 1), new Vec3());
-    return towardsViewer.cross(drag, new Vec3()).mul(Math.PI, drag);
+    Vec3 turned = picture.rotate(seen, new Vec3());
+    double handedness =
+        picture.axisX().cross(picture.axisY(), new Vec3()).dot(picture.axisZ()); // 1 or -1
+    return turned.mul(Math.signum(handedness), turned);
   }
 
   /** Returns the distance from the target. */

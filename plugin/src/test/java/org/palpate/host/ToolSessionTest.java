@@ -113,7 +113,7 @@ class ToolSessionTest {
       touch(session, hand);
       session.stop();
       session.takeUpdates();
-      TouchSession.HeldTool held = session.held().orElseThrow();
+      ToolScene.Held held = session.held().orElseThrow();
       RigidTransform pose = held.publisher().toolToWorld().read();
       assertTrue(pose.isOrthonormal());
       Vec3 point = session.properties().touch().interactionPoint(new Vec3());

@@ -55,10 +55,9 @@ final class ConsoleViewListener implements SessionView.Listener {
                 this::print));
     List<String> names = volume.segments().stream().map(Segment::name).toList();
     placing =
-        session
-            .toolFrame()
-            .filter(frame -> session.canHold())
-            .map(frame -> new PlacingKeys(frame, names, view::hint));
+        session.canHold()
+            ? Optional.of(new PlacingKeys(session, names, view::hint))
+            : Optional.empty();
   }
 
   /** Returns the lines about landmarks, after moving them with their bodies. */

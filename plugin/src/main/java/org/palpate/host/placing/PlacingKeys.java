@@ -4,12 +4,17 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.palpate.body.BodyGroups;
 import org.palpate.frame.ToolFrame;
+import org.palpate.host.TouchSession;
 import org.palpate.scene.window.WindowInput;
 
-/** The keys that lock bodies, and that bind bodies so that they move as one. Any thread. */
+/**
+ * The keys that lock bodies, that bind bodies so that they move as one, and that turn the body in
+ * hand. Any thread.
+ */
 public final class PlacingKeys {
   private static final int NONE = -1;
 
+  private final TouchSession session;
   private final ToolFrame frame;
   private final List<String> names;
   private final Consumer<String> hint;
@@ -20,12 +25,13 @@ public final class PlacingKeys {
   /**
    * Creates the keys of a session.
    *
-   * @param frame takes locks and groups
+   * @param session a session whose bodies can be taken in hand
    * @param names the names of the bodies
    * @param hint shows a line to the user
    */
-  public PlacingKeys(ToolFrame frame, List<String> names, Consumer<String> hint) {
-    this.frame = frame;
+  public PlacingKeys(TouchSession session, List<String> names, Consumer<String> hint) {
+    this.session = session;
+    frame = session.toolFrame().orElseThrow();
     this.names = names;
     this.hint = hint;
   }
@@ -38,6 +44,7 @@ public final class PlacingKeys {
   public void addTo(WindowInput input) {
     input.onKey('1', "attach the touched body to another; twice on one: detach it", this::bind);
     input.onKey('2', "lock the touched body, or unlock it", this::lock);
+    new TurningKeys(session, hint).addTo(input);
   }
 
   /** Locks the body that is held or pressed, with all that are bound to it, or unlocks it. */

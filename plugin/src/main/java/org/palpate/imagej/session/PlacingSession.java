@@ -267,16 +267,12 @@ public final class PlacingSession extends HandSession implements ImageListener {
     realtime.close();
   }
 
-  /** Prints to ImageJ's log, and adds the keys that lock and attach fragments. */
+  /** Prints to ImageJ's log, and adds the keys that lock, attach and turn fragments. */
   private final class Listener implements SessionView.Listener {
     @Override
     public void opening(SceneWindow window) {
-      session
-          .toolFrame()
-          .ifPresent(
-              frame ->
-                  new PlacingKeys(frame, names(), line -> view.ifPresent(v -> v.hint(line)))
-                      .addTo(window.input()));
+      new PlacingKeys(session, names(), line -> view.ifPresent(v -> v.hint(line)))
+          .addTo(window.input());
     }
 
     private List<String> names() {

@@ -14,9 +14,11 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
+import java.util.function.DoubleConsumer;
 import java.util.function.IntSupplier;
 import java.util.function.Supplier;
 import org.palpate.geometry.Vec3;
+import org.palpate.scene.Camera;
 import org.palpate.scene.SceneLegend;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SceneState;
@@ -35,6 +37,24 @@ import org.palpate.scene.gl.PickedPoint;
  * <p>A press does nothing until the drawing thread has found what lies under it.
  */
 public final class WindowInput extends MouseAdapter {
+  /** The key with an arrow to the left, for {@link #onKey} and {@link #onHeldKey}. */
+  public static final char LEFT = '\u2190';
+
+  /** The key with an arrow up. */
+  public static final char UP = '\u2191';
+
+  /** The key with an arrow to the right. */
+  public static final char RIGHT = '\u2192';
+
+  /** The key with an arrow down. */
+  public static final char DOWN = '\u2193';
+
+  /** The key Page Up. */
+  public static final char PAGE_UP = '\u21de';
+
+  /** The key Page Down. */
+  public static final char PAGE_DOWN = '\u21df';
+
   private static final double RADIANS_PER_HEIGHT = Math.PI;
   private static final double ZOOM_STEP = 0.9;
   private static final double MIN_PRESS = 0.002;
@@ -52,6 +72,9 @@ public final class WindowInput extends MouseAdapter {
   private Optional<SceneLegend> legend = Optional.empty();
   private final Map<DragKeys, Drag> drags = new EnumMap<>(DragKeys.class);
   private Optional<DragListener> presentDrag = Optional.empty();
+  private final List<String> notes = new ArrayList<>();
+  private String wheelHelp = "";
+  private DoubleConsumer wheelWithKeys;
   private volatile Optional<TextEntry> entry = Optional.empty();
   private boolean helpShown;
   private int lastX;
@@ -173,6 +196,34 @@ public final class WindowInput extends MouseAdapter {
   }
 
   /**
+   * Assigns an action to the wheel while Ctrl and Shift are held down. Before the window is shown.
+   *
+   * @param listener receives steps, positive away from the user, on the window's own thread
+   */
+  public void onWheelWithKeys(String help, DoubleConsumer listener) {
+    wheelHelp = help;
+    wheelWithKeys = listener;
+  }
+
+  /** Adds a line to the help that belongs to no key. Before the window is shown. */
+  public void addNote(String line) {
+    notes.add(line);
+  }
+
+  /** Whether a drag with these keys has an action. */
+  public boolean hasDrag(DragKeys held) {
+    return drags.containsKey(held);
+  }
+
+  /**
+   * Returns the rotation vector of a turn about axes of the present picture, world axes, rad; see
+   * {@link Camera#turn}.
+   */
+  public Vec3 turnInView(Vec3 rotationVector) {
+    return model.camera().turn(rotationVector, model.axes());
+  }
+
+  /**
    * Asks for a line of text, which the user ends with Enter. Escape keeps the first text. Any
    * thread.
    *
@@ -227,14 +278,42 @@ public final class WindowInput extends MouseAdapter {
     lines.add("middle or Shift drag   move");
     lines.add("wheel   nearer or further");
     drags.forEach((held, drag) -> lines.add(held.text + "   " + drag.help));
+    if (wheelWithKeys != null) {
+      lines.add("Ctrl, Shift and wheel   " + wheelHelp);
+    }
     synchronized (keys) {
       keys.forEach((key, action) -> lines.add(name(key) + "   " + action.help));
     }
+    lines.addAll(notes);
     return lines;
   }
 
   private static String name(char key) {
-    return key == KeyEvent.VK_ESCAPE ? "Esc" : key == ' ' ? "Space" : String.valueOf(key);
+    return switch (key) {
+      case KeyEvent.VK_ESCAPE -> "Esc";
+      case ' ' -> "Space";
+      case LEFT -> "Left";
+      case UP -> "Up";
+      case RIGHT -> "Right";
+      case DOWN -> "Down";
+      case PAGE_UP -> "Page Up";
+      case PAGE_DOWN -> "Page Down";
+      default -> String.valueOf(key);
+    };
+  }
+
+  /** Returns the character of a key that types none; 0 for a key without an action. */
+  private static char character(short code) {
+    return switch (code) {
+      case KeyEvent.VK_ESCAPE -> (char) KeyEvent.VK_ESCAPE;
+      case KeyEvent.VK_LEFT -> LEFT;
+      case KeyEvent.VK_UP -> UP;
+      case KeyEvent.VK_RIGHT -> RIGHT;
+      case KeyEvent.VK_DOWN -> DOWN;
+      case KeyEvent.VK_PAGE_UP -> PAGE_UP;
+      case KeyEvent.VK_PAGE_DOWN -> PAGE_DOWN;
+      default -> 0;
+    };
   }
 
   /** Returns the listener for NEWT's key events. */
@@ -245,8 +324,8 @@ public final class WindowInput extends MouseAdapter {
         Optional<TextEntry> asked = entry;
         if (asked.isPresent()) {
           type(asked.get(), event);
-        } else if (event.getKeyCode() == KeyEvent.VK_ESCAPE) {
-          press((char) KeyEvent.VK_ESCAPE);
+        } else if (character(event.getKeyCode()) != 0) {
+          press(character(event.getKeyCode()), event.isAutoRepeat());
         } else if (event.isPrintableKey()) {
           press(event.getKeyChar(), event.isAutoRepeat());
         }
@@ -339,7 +418,10 @@ public final class WindowInput extends MouseAdapter {
   @Override
   public void mouseWheelMoved(MouseEvent event) {
     double steps = event.getRotation()[1];
-    if (gesture.get() == Gesture.TOUCH) {
+    if (wheelWithKeys != null && event.isControlDown() && event.isShiftDown()) {
+      // With Shift, a wheel may turn sideways.
+      wheelWithKeys.accept(steps == 0 ? event.getRotation()[0] : steps);
+    } else if (gesture.get() == Gesture.TOUCH) {
       double pressed = pressFraction * Math.pow(ZOOM_STEP, -steps);
       pressFraction = Math.max(MIN_PRESS, Math.min(MAX_PRESS, pressed));
       requestPick(event, false);
