@@ -1,5 +1,6 @@
 package org.palpate.fracture;
 
+import java.util.Optional;
 import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
@@ -36,6 +37,7 @@ public final class SmoothedBits {
   private final BitCube bits;
   private final AffineMap worldToGrid;
   private final PosedBits fragment;
+  private final Optional<PartialVoxels> partial;
   private final double stepMm;
   private final double sigma;
 
@@ -64,7 +66,20 @@ public final class SmoothedBits {
    * @param sigma the standard deviation of the Gaussian, voxels, at most 1.5
    */
   public SmoothedBits(PosedBits fragment, double sigma) {
+    this(fragment, Optional.empty(), sigma);
+  }
+
+  /**
+   * Prepares the occupancy of a fragment where it stands, with voxels that are partly full. The
+   * pose must not change. Where an edit adds or removes voxels, the bits count.
+   *
+   * @param fragment the fragment; its voxels may change, see above
+   * @param partial how full the voxels at its surface are; if empty, its bits tell
+   * @param sigma the standard deviation of the Gaussian, voxels, at most 1.5
+   */
+  public SmoothedBits(PosedBits fragment, Optional<PartialVoxels> partial, double sigma) {
     this.fragment = fragment;
+    this.partial = partial;
     this.sigma = sigma;
     for (int n = 0; n < WIDTH; n++) {
       double m = MIDDLE + n;
@@ -142,6 +157,9 @@ public final class SmoothedBits {
         add(voxels, x, QUARTET * y, QUARTET * z);
       }
     }
+    if (partial.isPresent()) {
+      addPartial(partial.get());
+    }
     Vec3 s = fragment.grid().spacingMm();
     descent.set(-slope.x / s.x, -slope.y / s.y, -slope.z / s.z);
     fragment.grid().gridMmToWorld().rotate(descent, descent);
@@ -163,6 +181,50 @@ public final class SmoothedBits {
         slope.z += along * weights[1][b] * slopes[2][c];
       }
     }
+  }
+
+  /** Adds what grey values add to the bits. */
+  private void addPartial(PartialVoxels voxels) {
+    int shift = BitCube.BRICK_SHIFT;
+    for (int z = first[2] >> shift; z <= (first[2] + WIDTH - 1) >> shift; z++) {
+      for (int y = first[1] >> shift; y <= (first[1] + WIDTH - 1) >> shift; y++) {
+        for (int x = first[0] >> shift; x <= (first[0] + WIDTH - 1) >> shift; x++) {
+          float[] excess = voxels.excess(x, y, z);
+          if (excess != null) {
+            addBrick(excess, x << shift, y << shift, z << shift);
+          }
+        }
+      }
+    }
+  }
+
+  private void addBrick(float[] excess, int lowX, int lowY, int lowZ) {
+    int edge = PartialVoxels.EDGE;
+    for (int n = 0; n < excess.length; n++) {
+      int i = lowX + n % edge;
+      int j = lowY + n / edge % edge;
+      int k = lowZ + n / edge / edge;
+      if (excess[n] != 0 && isCovered(i, j, k) && excess[n] < 0 == bits.get(i, j, k)) {
+        addExcess(excess[n], i - first[0], j - first[1], k - first[2]);
+      }
+    }
+  }
+
+  private boolean isCovered(int i, int j, int k) {
+    return i >= first[0]
+        && j >= first[1]
+        && k >= first[2]
+        && i < first[0] + WIDTH
+        && j < first[1] + WIDTH
+        && k < first[2] + WIDTH;
+  }
+
+  private void addExcess(double excess, int a, int b, int c) {
+    double across = excess * weights[1][b] * weights[2][c];
+    sum += across * weights[0][a];
+    slope.x += across * slopes[0][a];
+    slope.y += excess * weights[0][a] * slopes[1][b] * weights[2][c];
+    slope.z += excess * weights[0][a] * weights[1][b] * slopes[2][c];
   }
 
   /**

@@ -14,15 +14,25 @@ public final class HollowShaft {
 
   /** Returns its voxels. */
   public static BitCube bits() {
-    BitCube bits = new BitCube(GRID.sizeX(), GRID.sizeY(), GRID.sizeZ());
-    for (int k = 6; k < 114; k++) {
-      for (int j = 0; j < GRID.sizeY(); j++) {
-        for (int i = 0; i < GRID.sizeX(); i++) {
-          double x = i + 0.5 - 22 - 3 * StrictMath.sin(k / 40.0);
-          double y = j + 0.5 - 22;
+    return bits(1);
+  }
+
+  /**
+   * Returns its voxels on a finer grid of the same place.
+   *
+   * @param times the voxels along an edge of a voxel of {@link #GRID}
+   */
+  public static BitCube bits(int times) {
+    BitCube bits = new BitCube(times * GRID.sizeX(), times * GRID.sizeY(), times * GRID.sizeZ());
+    for (int k = 6 * times; k < 114 * times; k++) {
+      double z = (double) k / times;
+      double end = (z - 60) / 54.0;
+      double wide = 12 + 4 * end * end * end * end;
+      for (int j = 0; j < bits.sizeY(); j++) {
+        for (int i = 0; i < bits.sizeX(); i++) {
+          double x = (i + 0.5) / times - 22 - 3 * StrictMath.sin(z / 40.0);
+          double y = (j + 0.5) / times - 22;
           double r = Math.sqrt(x * x + y * y);
-          double end = (k - 60) / 54.0;
-          double wide = 12 + 4 * end * end * end * end;
           if (r < wide && r > wide - WALL) {
             bits.set(i, j, k);
           }

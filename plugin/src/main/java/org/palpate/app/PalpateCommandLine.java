@@ -18,7 +18,7 @@ import org.palpate.app.command.InfoCommand;
 import org.palpate.app.command.RenderCommand;
 import org.palpate.app.command.ReplayCommand;
 import org.palpate.app.command.TouchCommand;
-import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.VersionProvider;
 import org.palpate.io.file.WriteFailedException;

@@ -200,6 +200,25 @@ class SeveralGridsTest {
   }
 
   @Test
+  void aGuideToAFitTakesTheScanOfFragments() throws IOException {
+    Path scan = TestFiles.nrrd(file("scan.nrrd"), 24, v -> v[2] == 11 || v[2] == 12 ? 40 : 120);
+    Path parts = file("parts.json");
+    List<Object> split = new ArrayList<>(List.of("info", "--volume", scan, "--segment"));
+    split.addAll(List.of("bone=>=100", "--split", "components:50", "--export"));
+    split.addAll(List.of(file("parts.nrrd"), "--save-scene", parts));
+    CommandRun.of(split.toArray()).mustSucceed();
+    List<Object> fit = new ArrayList<>(List.of("touch", "--scene", parts, "--headless"));
+    fit.addAll(List.of("--seconds", 0.3, "--guide", "fit", "--fit-grey"));
+    fit.add(scan + ":>=100");
+    CommandRun.of(fit.toArray()).mustSucceed();
+    fit.set(fit.size() - 1, file("ball.nrrd") + ":>=1");
+    String refusal = CommandRun.of(fit.toArray()).mustRefuse();
+    assertTrue(refusal.contains("no body has the voxels of the scan"), refusal);
+    fit.set(fit.size() - 1, file("missing.nrrd") + ":>=1");
+    CommandRun.of(fit.toArray()).mustRefuse();
+  }
+
+  @Test
   void marginsAndElasticBodiesNeedOneGrid() throws IOException {
     List<Object> protect = new ArrayList<>(List.of("touch", "--scene", scene, "--headless"));
     protect.addAll(List.of("--seconds", 0.3, "--carve", 5, "--protect", "ball:1"));

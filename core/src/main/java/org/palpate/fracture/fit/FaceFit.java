@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.function.IntPredicate;
 import org.palpate.force.guide.FitTarget;
 import org.palpate.fracture.FaceLine;
+import org.palpate.fracture.PartialVoxels;
 import org.palpate.fracture.SmoothedBits;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
@@ -112,8 +113,24 @@ public final class FaceFit {
    * @param gapMm the width of the gap, or empty, as for one grid
    */
   public FaceFit(List<VoxelGrid> grids, List<BitCube> fragments, OptionalDouble gapMm) {
+    this(grids, fragments, Collections.nCopies(fragments.size(), Optional.empty()), gapMm);
+  }
+
+  /**
+   * Prepares fits of fragments whose faces lie where grey values tell.
+   *
+   * @param grids the grid of each fragment
+   * @param fragments the voxels of each fragment at rest
+   * @param partial how full the voxels at the surface of each fragment are; if empty, the bits tell
+   * @param gapMm the width of the gap, or empty, as for one grid
+   */
+  public FaceFit(
+      List<VoxelGrid> grids,
+      List<BitCube> fragments,
+      List<Optional<PartialVoxels>> partial,
+      OptionalDouble gapMm) {
     this.gapMm = gapMm;
-    surfaces = new FragmentSurfaces(grids, fragments);
+    surfaces = new FragmentSurfaces(grids, fragments, partial);
     edgeMm = surfaces.edgeMm();
     line = surfaces.faceLine();
   }

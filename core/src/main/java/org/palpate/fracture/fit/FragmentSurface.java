@@ -2,6 +2,8 @@ package org.palpate.fracture.fit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import org.palpate.fracture.PartialVoxels;
 import org.palpate.fracture.Residual;
 import org.palpate.fracture.SmoothedBits;
 import org.palpate.geometry.Pose;
@@ -30,8 +32,17 @@ record FragmentSurface(
   /** The largest distance of the surface from the centre of a rim voxel, longest voxel edges. */
   private static final double MOST_EDGES = 1.5;
 
-  /** Finds the surface of a fragment; some 5 us for each point. */
+  /** Finds the surface of a fragment by its bits; some 5 us for each point. */
   static FragmentSurface of(BitCube bits, VoxelGrid grid) {
+    return of(bits, grid, Optional.empty());
+  }
+
+  /**
+   * Finds the surface of a fragment; some 5 us for each point.
+   *
+   * @param partial how full the voxels at the surface are; if empty, the bits tell
+   */
+  static FragmentSurface of(BitCube bits, VoxelGrid grid, Optional<PartialVoxels> partial) {
     long[] rim = new long[1];
     bits.forEachRimVoxel((i, j, k) -> rim[0]++);
     long stride = 1 + (rim[0] - 1) / MOST_POINTS;
@@ -39,7 +50,7 @@ record FragmentSurface(
     double edgeMm = edgeMm(grid);
     double mostMm = MOST_EDGES * Math.max(spacing.x, Math.max(spacing.y, spacing.z));
     PosedBits atRest = new PosedBits(bits, grid, new Pose());
-    SmoothedBits smoothed = new SmoothedBits(atRest, SIGMA);
+    SmoothedBits smoothed = new SmoothedBits(atRest, partial, SIGMA);
     List<Vec3> points = new ArrayList<>();
     List<Vec3> normals = new ArrayList<>();
     rim[0] = 0;

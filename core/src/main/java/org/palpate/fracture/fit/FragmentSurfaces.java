@@ -1,9 +1,12 @@
 package org.palpate.fracture.fit;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.IntPredicate;
 import org.palpate.fracture.FaceLine;
+import org.palpate.fracture.PartialVoxels;
 import org.palpate.fracture.SmoothedBits;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
@@ -29,6 +32,7 @@ final class FragmentSurfaces {
 
   private final List<VoxelGrid> grids;
   private final List<BitCube> fragments;
+  private final List<Optional<PartialVoxels>> partial;
   private final FragmentSurface[] found;
   private final double edgeMm;
 
@@ -39,6 +43,19 @@ final class FragmentSurfaces {
    * @param fragments the voxels of each fragment at rest
    */
   FragmentSurfaces(List<VoxelGrid> grids, List<BitCube> fragments) {
+    this(grids, fragments, Collections.nCopies(fragments.size(), Optional.empty()));
+  }
+
+  /**
+   * Prepares surfaces that lie where partly full voxels tell.
+   *
+   * @param grids the grid of each fragment
+   * @param fragments the voxels of each fragment at rest
+   * @param partial how full the voxels at the surface of each fragment are; if empty, the bits tell
+   */
+  FragmentSurfaces(
+      List<VoxelGrid> grids, List<BitCube> fragments, List<Optional<PartialVoxels>> partial) {
+    this.partial = List.copyOf(partial);
     this.grids = List.copyOf(grids);
     this.fragments = List.copyOf(fragments);
     found = new FragmentSurface[fragments.size()];
@@ -58,7 +75,8 @@ final class FragmentSurfaces {
   /** Returns the surface of a fragment at rest. */
   FragmentSurface of(int fragment) {
     if (found[fragment] == null) {
-      found[fragment] = FragmentSurface.of(fragments.get(fragment), grids.get(fragment));
+      found[fragment] =
+          FragmentSurface.of(fragments.get(fragment), grids.get(fragment), partial.get(fragment));
     }
     return found[fragment];
   }
@@ -67,6 +85,7 @@ final class FragmentSurfaces {
   SmoothedBits smoothed(int fragment, List<Pose> poses) {
     return new SmoothedBits(
         new PosedBits(fragments.get(fragment), grids.get(fragment), poses.get(fragment)),
+        partial.get(fragment),
         FragmentSurface.SIGMA);
   }
 

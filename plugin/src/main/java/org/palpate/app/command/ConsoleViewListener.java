@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.imageio.ImageIO;
-import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.OutputPaths;
 import org.palpate.display.DisplayLoss;
 import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Vec3;

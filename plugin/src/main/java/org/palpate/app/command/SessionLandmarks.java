@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.IntSupplier;
 import java.util.function.Supplier;
-import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.OutputPaths;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.placing.BodyAnchor;

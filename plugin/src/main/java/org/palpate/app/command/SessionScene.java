@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.palpate.app.options.ChosenCollisionDevice;
-import org.palpate.app.options.FeelOptions;
 import org.palpate.app.options.ToolOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.MassFields;
@@ -22,6 +21,8 @@ import org.palpate.device.GuidedHand;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.Tremor;
+import org.palpate.force.guide.FitExchange;
+import org.palpate.fracture.fit.FaceFit;
 import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Pose;
 import org.palpate.host.ContactScene;
@@ -47,12 +48,17 @@ final class SessionScene {
   private final ContactScene scene;
   private final Optional<ToolScene> rigid;
   private final Optional<ToolReport> toolReport;
+  private final Optional<FaceFit> fit;
 
   private SessionScene(
-      ContactScene scene, Optional<ToolScene> rigid, Optional<ToolReport> toolReport) {
+      ContactScene scene,
+      Optional<ToolScene> rigid,
+      Optional<ToolReport> toolReport,
+      Optional<FaceFit> fit) {
     this.scene = scene;
     this.rigid = rigid;
     this.toolReport = toolReport;
+    this.fit = fit;
   }
 
   /**
@@ -66,12 +72,22 @@ final class SessionScene {
       ContactScene scene, ToolOptions options, Optional<MadeTool> made, CollisionDevice device)
       throws VolumeFormatException {
     if (made.isEmpty()) {
-      return new SessionScene(scene, Optional.empty(), Optional.empty());
+      return new SessionScene(scene, Optional.empty(), Optional.empty(), Optional.empty());
     }
     return new SessionScene(
         scene,
         Optional.of(options.scene(scene, made.get(), Set.of(), device)),
-        Optional.of(new ToolReport(made.get(), options.massKg())));
+        Optional.of(new ToolReport(made.get(), options.massKg())),
+        Optional.empty());
+  }
+
+  /**
+   * Returns this scene with what finds the fit of a fragment in hand.
+   *
+   * @param found belongs to one session; empty without a guide to a fit
+   */
+  SessionScene withFit(Optional<FaceFit> found) {
+    return new SessionScene(scene, rigid, toolReport, found);
   }
 
   /** Returns the volume with its contact settings. */
@@ -187,9 +203,9 @@ final class SessionScene {
   }
 
   /** Returns what fits the fragment in hand to the others; empty without a guide to a fit. */
-  Optional<FaceFitting> fitting(TouchSession session, FeelOptions feel) {
-    return feel.faceFit(scene.volume())
-        .flatMap(fit -> session.toolFrame().map(frame -> new FaceFitting(frame, fit, feel.fits())));
+  Optional<FaceFitting> fitting(TouchSession session, FitExchange fits) {
+    return fit.flatMap(
+        each -> session.toolFrame().map(frame -> new FaceFitting(frame, each, fits)));
   }
 
   /** Returns a new session; see {@link TouchSession}. */

@@ -23,7 +23,6 @@ import org.palpate.app.options.LinkOptions;
 import org.palpate.app.options.MappingOptions;
 import org.palpate.app.options.NumberRange;
 import org.palpate.app.options.OutputOptions;
-import org.palpate.app.options.OutputPaths;
 import org.palpate.app.options.RecordOptions;
 import org.palpate.app.options.SceneElasticity;
 import org.palpate.app.options.SliceOptions;
@@ -37,6 +36,7 @@ import org.palpate.app.output.Report;
 import org.palpate.app.output.SessionAssessment;
 import org.palpate.app.output.ToolReport;
 import org.palpate.app.output.WriteFailures;
+import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.ShutdownHook;
 import org.palpate.app.process.VersionProvider;
@@ -251,7 +251,7 @@ public final class TouchCommand implements Callable<Integer> {
         contact.segments(source, spec.commandLine().getErr(), feel.needsGrey());
     ContactScene contactScene =
         contact.scene(source, segments, feel.settings(source, segments, tool.massOfHeld()));
-    SessionScene scene = SessionScene.of(contactScene, tool, made, judge.device());
+    SessionScene scene = scene(contactScene, source, made);
     assessment = assessment(contactScene, made.isPresent());
     EditedVolume edited =
         new EditedVolume(segments, source.header().coordinateSystem(), export, changesVoxels());
@@ -367,6 +367,12 @@ public final class TouchCommand implements Callable<Integer> {
     out.flush();
   }
 
+  private SessionScene scene(
+      ContactScene contactScene, VolumeSource source, Optional<MadeTool> made) throws IOException {
+    return SessionScene.of(contactScene, tool, made, judge.device())
+        .withFit(feel.faceFit(contactScene.volume(), source.header().coordinateSystem()));
+  }
+
   private TouchReport run(
       SessionScene scene,
       HapticDevice opened,
@@ -394,7 +400,7 @@ public final class TouchCommand implements Callable<Integer> {
       Supplier<List<RigidTransform>> poses =
           () -> shownView.map(SessionView::bodyPoses).orElseGet(session::bodyPoses);
       autosave = SceneAutosave.of(volume.scene(), savedPoses.scene(), poses);
-      Optional<FaceFitting> fitting = scene.fitting(session, feel);
+      Optional<FaceFitting> fitting = scene.fitting(session, feel.fits());
       Optional<SessionBrush> painter =
           brush.map(held -> new SessionBrush(held, session, scene.volume(), scene.tool()));
       Runnable check =

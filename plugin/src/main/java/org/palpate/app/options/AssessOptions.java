@@ -4,6 +4,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import picocli.CommandLine.Option;
 

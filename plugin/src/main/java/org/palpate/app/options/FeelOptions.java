@@ -23,6 +23,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.table.NumbersCsvReader;
+import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
@@ -77,6 +78,7 @@ public final class FeelOptions {
 
   @Mixin private EffectOptions effects;
   @Mixin private GreyMaterialOptions materials;
+  @Mixin private FitGreyOption fitGrey;
 
   /**
    * Checks the numbers and the forms, before a volume is read.
@@ -87,6 +89,7 @@ public final class FeelOptions {
   public void check(boolean isRigid, ContactOptions contact) {
     effects.check();
     materials.check(contact);
+    fitGrey.check(fit().isPresent());
     GuideStrength strength = strength();
     for (String text : guides) {
       String kind = EffectOptions.kind(text);
@@ -134,11 +137,21 @@ public final class FeelOptions {
   /**
    * Returns what finds the fits of the fragments in a scene; empty without a guide to a fit.
    *
-   * @throws PalpateException exit code 2, if the gap is wrong
+   * @param fragments the fragments where they rest
+   * @param world the directions of the world axes
+   * @throws IOException if the scan of the fragments cannot be read
+   * @throws PalpateException exit code 2, if the gap or the scan is wrong
    */
-  public Optional<FaceFit> faceFit(SegmentedVolume fragments) {
+  public Optional<FaceFit> faceFit(SegmentedVolume fragments, CoordinateSystem world)
+      throws IOException {
+    Optional<String> text = fit();
+    if (text.isEmpty()) {
+      return Optional.empty();
+    }
     List<BitCube> cubes = fragments.segments().stream().map(Segment::bits).toList();
-    return fit().map(text -> new FaceFit(fragments.grids(), cubes, gapMm(text)));
+    return Optional.of(
+        new FaceFit(
+            fragments.grids(), cubes, fitGrey.partialVoxels(fragments, world), gapMm(text.get())));
   }
 
   /** Returns what hands fits over to the guide. */
@@ -153,9 +166,11 @@ public final class FeelOptions {
 
   /** Returns the files that the options name, which no output may replace. */
   public List<Path> files() {
-    return Stream.concat(
+    return Stream.of(
             guides.stream().filter(text -> EffectOptions.kind(text).equals("path")).map(this::file),
-            materials.file().stream())
+            materials.file().stream(),
+            fitGrey.files().stream())
+        .flatMap(each -> each)
         .toList();
   }
 

@@ -2,6 +2,7 @@ package org.palpate.app.options;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import picocli.CommandLine.Option;
 

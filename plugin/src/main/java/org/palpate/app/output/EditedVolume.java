@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.LongBinaryOperator;
-import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;

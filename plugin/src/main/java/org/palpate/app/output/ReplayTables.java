@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.Trajectory;
 import org.palpate.geometry.Vec3;

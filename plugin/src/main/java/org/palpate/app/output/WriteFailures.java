@@ -5,7 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.Set;
-import org.palpate.app.options.OutputPaths;
+import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import org.palpate.io.volume.VolumeFormatException;
 

@@ -1,4 +1,4 @@
-package org.palpate.app.options;
+package org.palpate.app.process;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -8,7 +8,6 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import org.palpate.app.process.PalpateException;
 import org.palpate.volume.Segment;
 
 /** Checks the targets of output before any work is done. */
