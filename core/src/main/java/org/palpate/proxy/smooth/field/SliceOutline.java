@@ -18,7 +18,7 @@ final class SliceOutline {
   /** The bricks around a tile in which {@link NearestPixels} searches. */
   private static final int NEAR_BRICKS = (NearestPixels.REACH + 3) / 4;
 
-  /** How many bricks around a tile are read at first, next and so on, before all within reach. */
+  /** The bricks around a tile that are read at first, next and so on, before all within reach. */
   private static final int[] RINGS = {1, NEAR_BRICKS, 4};
 
   /** The most columns of a tile that are searched one by one, which takes less time then. */
