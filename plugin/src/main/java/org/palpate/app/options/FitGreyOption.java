@@ -23,7 +23,7 @@ import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.VoxelGrid;
 import picocli.CommandLine.Option;
 
-/** The option of a scan whose grey values tell a guide to a fit where faces lie. */
+/** The option of a scan whose grey values show a guide to a fit where faces lie. */
 public final class FitGreyOption {
   private static final String NAME = "--fit-grey";
   private static final String RULE = ":>=";
@@ -33,7 +33,7 @@ public final class FitGreyOption {
       paramLabel = "FILE:>=VALUE",
       description =
           "With --guide fit: the scan from which the fragments were made, and the threshold. Its"
-              + " grey values then tell where their faces lie between voxels.")
+              + " grey values then show where faces lie between voxels.")
   private String scan;
 
   /**
@@ -82,7 +82,7 @@ public final class FitGreyOption {
     return PalpateException.wrongUse(
         "the grey values of a fit cannot be read",
         NAME + " " + scan,
-        "write a file and a threshold, as in chin.nrrd:>=1500",
+        "write a file and a threshold, as in 'chin.nrrd:>=1500'",
         cause);
   }
 

@@ -46,14 +46,17 @@ public final class FractureReport {
   private void readGhosts(PlacedVolume bodies, SegmentedVolume faint) {
     List<PosedBits> posed = PosedBits.of(bodies.rest(), bodies.poses());
     for (int n = 0; n < posed.size(); n++) {
-      for (int m = 0;
-          bodies.placements().get(n).mobility() == Mobility.MOVABLE && m < faint.segments().size();
-          m++) {
-        Segment ghost = faint.segments().get(m);
-        PosedBits there = new PosedBits(ghost.bits(), faint.grid(m), new Pose());
-        GhostDistance distance = GhostDistance.read(posed.get(n), there);
-        toGhosts.add(new ToGhost(names.get(n), ghost.name(), distance));
+      if (bodies.placements().get(n).mobility() == Mobility.MOVABLE) {
+        readGhosts(names.get(n), posed.get(n), faint);
       }
+    }
+  }
+
+  private void readGhosts(String name, PosedBits body, SegmentedVolume faint) {
+    for (int n = 0; n < faint.segments().size(); n++) {
+      Segment ghost = faint.segments().get(n);
+      PosedBits there = new PosedBits(ghost.bits(), faint.grid(n), new Pose());
+      toGhosts.add(new ToGhost(name, ghost.name(), GhostDistance.read(body, there)));
     }
   }
 

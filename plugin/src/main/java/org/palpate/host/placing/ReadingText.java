@@ -46,7 +46,10 @@ public final class ReadingText {
             d.mostlyMm(),
             d.largestMm(),
             100 * d.share())
-        : String.format(Locale.ROOT, "more than %.0f mm apart", GhostDistance.MOST_MM);
+        : String.format(
+            Locale.ROOT,
+            "no surface that looks the same way within %.0f mm",
+            GhostDistance.MOST_MM);
   }
 
   /** Returns a rounded number; of a small negative one, 0 without a sign. */

@@ -81,7 +81,7 @@ public record Ghosts(SegmentedVolume segments, List<Path> files, List<String> no
           throw new VolumeFormatException(
               "the voxels of the ghost are not understood",
               "--ghost " + text,
-              "write FILE, FILE:>=1500, FILE:300..900, FILE:label:7 or FILE:name:Mandible");
+              "write FILE, 'FILE:>=1500', FILE:300..900, FILE:label:7 or FILE:name:Mandible");
         }
       }
       return new Source(text, path(text, text.length()), SegmentSpec.nonzero(name));

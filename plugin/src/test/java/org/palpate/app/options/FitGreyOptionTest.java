@@ -145,7 +145,7 @@ class FitGreyOptionTest {
     Given.refuses(
         "the grey values of a fit cannot be read: --fit-grey "
             + text
-            + ": write a file and a threshold, as in chin.nrrd:>=1500",
+            + ": write a file and a threshold, as in 'chin.nrrd:>=1500'",
         () -> options("--guide=fit", "--fit-grey=" + text).check(false, CONTACT));
   }
 

@@ -78,7 +78,7 @@ class GhostsTest {
   @Test
   void whatIsNoGhostIsRefusedInOneLine() throws IOException {
     Path file = volume("a.nrrd", "space: left-posterior-superior\n");
-    String rules = "write FILE, FILE:>=1500, FILE:300..900, FILE:label:7 or FILE:name:Mandible";
+    String rules = "write FILE, 'FILE:>=1500', FILE:300..900, FILE:label:7 or FILE:name:Mandible";
     String what = "the voxels of the ghost are not understood";
     mustRefuse(file + ":label:", what, rules);
     mustRefuse(file + ":solid", what, rules);
