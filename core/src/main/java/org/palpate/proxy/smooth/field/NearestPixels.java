@@ -87,7 +87,7 @@ final class NearestPixels {
   }
 
   /**
-   * Finds the nearest pixels of a kind around the tile of brick (u,v). Pixels within reach of it
+   * Finds the nearest pixels of a kind around the tile of brick (u,v). Pixels that the steps reach
    * must be covered.
    *
    * @param other the slice in which the pixels have to be of the kind as well, or the same one

@@ -49,6 +49,9 @@ final class SliceOutline {
   /** From this on squared distances count as out of reach. */
   private final double endSquare;
 
+  /** From this on {@link NearestPixels} may miss pixels: a squared distance. */
+  private final double endOfNear;
+
   /** For each ring, how many bricks around a tile are read; the last one reads all in reach. */
   private final int[] ringBricks;
 
@@ -86,6 +89,7 @@ final class SliceOutline {
     this.edges = edges;
     this.reach = reach;
     nearest = new NearestPixels(bits, edges);
+    endOfNear = edges.nearestBeyond(NearestPixels.REACH);
     endSquare = (reach + 1) * (reach + 1);
     reachU = pixels(edges.u());
     reachV = pixels(edges.v());
@@ -178,7 +182,7 @@ final class SliceOutline {
       boolean solid,
       int columns,
       double[] dest) {
-    boolean isNear = ringBricks[ring] <= NEAR_BRICKS;
+    boolean isNear = ringEnds[ring] <= endOfNear;
     boolean areFew = Integer.bitCount(columns) <= FEW_COLUMNS;
     if (isNear && areFew) {
       return measureEach(ringEnds[ring], brickU, brickV, slice, other, solid, columns, dest);

@@ -28,7 +28,8 @@ class SliceOutlineTest {
     "1, 3, 12",
     "2.5, 1, 24",
     "1, 1.2, 16",
-    "10, 1, 20"
+    "10, 1, 20",
+    "2, 2, 16"
   })
   void distancesAreThoseOfASearchOfAllPixels(double edgeU, double edgeV, int reach) {
     PixelEdges edges = new PixelEdges(edgeU, edgeV);
