@@ -72,8 +72,17 @@ public final class TurnedDevice extends DeviceDecorator implements TurnableDevic
   @Override
   public void turn(Vec3 rotationVector) {
     Quaternion turn = new Quaternion().setRotationVector(rotationVector);
-    requested.accumulateAndGet(
-        turn, (before, added) -> before == null ? added : added.multiply(before, new Quaternion()));
+    double angle = rotationVector.length();
+    requested.updateAndGet(before -> added(before, turn, angle));
+  }
+
+  /** Returns a turn after an earlier one; that one alone if both together may lead too far. */
+  private static Quaternion added(Quaternion before, Quaternion turn, double angle) {
+    double earlier = before == null ? 0 : before.angle();
+    if (!(earlier + angle < LARGEST_LEAD)) { // or NaN
+      return before;
+    }
+    return before == null ? turn : turn.multiply(before, new Quaternion());
   }
 
   @Override

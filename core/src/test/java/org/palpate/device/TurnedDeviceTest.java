@@ -113,6 +113,28 @@ class TurnedDeviceTest {
   }
 
   @Test
+  void aTurnThatWouldLeadAroundTheOtherWayIsDropped() {
+    read(1);
+    device.turn(new Vec3(0, 0, 1.9));
+    read(1);
+    device.turn(new Vec3(0, 0, 3)); // together, 4.9 rad look like -1.38
+    read(2000);
+    assertTurned(new Vec3(0, 0, 1.9), 1e-9);
+  }
+
+  @Test
+  void ofManyTurnsBeforeASampleTheFirstOnesCount() {
+    read(1);
+    for (int n = 0; n < 50; n++) {
+      device.turn(new Vec3(0.11, 0, 0));
+    }
+    read(2000);
+    double turned = state.orientation.rotationVector(new Vec3()).x;
+    assertTrue(turned > TurnedDevice.LARGEST_LEAD - 0.15, "turned by " + turned);
+    assertTrue(turned < TurnedDevice.LARGEST_LEAD, "turned by " + turned);
+  }
+
+  @Test
   void withoutANewSampleNothingTurns() {
     read(1);
     device.turn(new Vec3(0, 0, 1));
