@@ -272,7 +272,10 @@ public final class WorkspaceDevice extends DeviceDecorator {
     clutchRequested = requested;
   }
 
-  /** Holds the clutch if {@link #holdClutch} does not hold it yet, else releases it. Any thread. */
+  /**
+   * Holds the clutch if {@link #holdClutch} does not hold it yet, else releases it. Any thread, one
+   * at a time.
+   */
   public void toggleClutch() {
     clutchRequested = !clutchRequested;
   }

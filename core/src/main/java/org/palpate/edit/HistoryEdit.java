@@ -12,13 +12,17 @@ public final class HistoryEdit extends Edit {
     this.isUndo = isUndo;
   }
 
-  /** {@return an edit that undoes the last stroke; it does nothing if there is none} */
+  /**
+   * {@return an edit that undoes the last stroke; it does nothing if there is none, or if a log
+   * refuses}
+   */
   public static HistoryEdit undo() {
     return new HistoryEdit(true);
   }
 
   /**
-   * {@return an edit that redoes the stroke that was undone last; it does nothing if there is none}
+   * {@return an edit that redoes the stroke that was undone last; it does nothing if there is none,
+   * or if a log refuses}
    */
   public static HistoryEdit redo() {
     return new HistoryEdit(false);

@@ -6,9 +6,9 @@ import org.palpate.geometry.Pose;
  * Keeps placements of bodies, so that they can be undone and redone to the bit. Those of bodies
  * that moved together are one stroke.
  *
- * <p>A body may <em>stray</em>: it moves, and no placement tells so. A placement is refused if it
- * would put a body near one that has strayed since the placement began. All others stand bit for
- * bit where they stood then, so nothing comes nearer to them than it was.
+ * <p>A body may <em>stray</em>: it moves without a placement. A placement is refused if it would
+ * put a body near one that has strayed since the placement began. All others stand bit for bit
+ * where they stood then, so nothing comes nearer to them than it was.
  *
  * <p>Haptic thread only; allocates nothing after it was made.
  */
@@ -110,7 +110,7 @@ public final class PlacementLog implements ChangeLog {
   }
 
   /**
-   * Notes that a body moved, and that no placement will tell so.
+   * Notes that a body moved without a placement.
    *
    * @param index the index of the body in the scene
    */

@@ -8,13 +8,13 @@ import org.palpate.volume.ScalarVolume;
 import org.palpate.volume.VoxelGrid;
 
 /**
- * The part of each voxel on both sides of a fragment's surface that bone fills. The grey values
- * tell it from which a threshold made the fragment. Immutable; any thread.
+ * The part of each voxel on both sides of a fragment's surface that bone fills. It follows from the
+ * grey values from which a threshold made the fragment. Immutable; any thread.
  *
  * <p>Grey values count only where they show an edge: in a voxel of the fragment that shares a face
  * with one outside below the threshold, and in that one. A face that was cut inside bone has bone
  * on its other side, so its voxels stay full and empty. An empty voxel beside bone of another
- * fragment stays empty, because one grey value cannot tell the shares of two.
+ * fragment stays empty, because its grey value does not say how much of it each fills.
  */
 public final class PartialVoxels {
   /** The edge of a brick of voxels. */

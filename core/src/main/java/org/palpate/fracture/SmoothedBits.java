@@ -74,7 +74,7 @@ public final class SmoothedBits {
    * pose must not change. Where an edit adds or removes voxels, the bits count.
    *
    * @param fragment the fragment; its voxels may change, see above
-   * @param partial how full the voxels at its surface are; if empty, its bits tell
+   * @param partial how full the voxels at its surface are; if empty, only its bits count
    * @param sigma the standard deviation of the Gaussian, voxels, at most 1.5
    */
   public SmoothedBits(PosedBits fragment, Optional<PartialVoxels> partial, double sigma) {

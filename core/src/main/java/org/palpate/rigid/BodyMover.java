@@ -130,7 +130,9 @@ public final class BodyMover {
 
   /**
    * {@return whether a body at a pose would keep its whole clearance from another one, and neither
-   * would enclose the other} The other stays where it is. Haptic thread, between two frames.
+   * would enclose the other} The other stays where it is. Looks at all sample points of one and at
+   * the voxels of the other around them, so it is for undo and not for each step. Haptic thread,
+   * between two frames.
    *
    * @param body the index of a body that can move
    * @param restToPresent the pose of that body, world mm

@@ -180,8 +180,8 @@ public final class RigidScene {
   boolean keepsClear(int body, Pose restToPresent, int other) {
     BodyVerifier pair = pairs[body][other];
     boolean carriesPoints = pair.points == movers[body];
-    Pose ofOther =
-        bodies.body(other).pose(); // undo may have set it, and the mover not yet taken it
+    // Undo may have set this pose, and the mover not have taken it yet.
+    Pose ofOther = bodies.body(other).pose();
     pair.points.toReference(carriesPoints ? restToPresent : ofOther, ofPoints);
     return keepsClear(pair, carriesPoints ? ofOther : restToPresent);
   }

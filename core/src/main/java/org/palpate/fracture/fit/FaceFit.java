@@ -117,11 +117,12 @@ public final class FaceFit {
   }
 
   /**
-   * Prepares fits of fragments whose faces lie where grey values tell.
+   * Prepares fits of fragments whose faces lie where grey values place them.
    *
    * @param grids the grid of each fragment
    * @param fragments the voxels of each fragment at rest
-   * @param partial how full the voxels at the surface of each fragment are; if empty, the bits tell
+   * @param partial how full the voxels at the surface of each fragment are; if empty, only the bits
+   *     count
    * @param gapMm the width of the gap, or empty, as for one grid
    */
   public FaceFit(

@@ -40,7 +40,7 @@ record FragmentSurface(
   /**
    * Finds the surface of a fragment; some 5 us for each point.
    *
-   * @param partial how full the voxels at the surface are; if empty, the bits tell
+   * @param partial how full the voxels at the surface are; if empty, only the bits count
    */
   static FragmentSurface of(BitCube bits, VoxelGrid grid, Optional<PartialVoxels> partial) {
     long[] rim = new long[1];

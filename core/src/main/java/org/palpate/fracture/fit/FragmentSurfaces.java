@@ -47,11 +47,12 @@ final class FragmentSurfaces {
   }
 
   /**
-   * Prepares surfaces that lie where partly full voxels tell.
+   * Prepares surfaces that lie where partly full voxels place them.
    *
    * @param grids the grid of each fragment
    * @param fragments the voxels of each fragment at rest
-   * @param partial how full the voxels at the surface of each fragment are; if empty, the bits tell
+   * @param partial how full the voxels at the surface of each fragment are; if empty, only the bits
+   *     count
    */
   FragmentSurfaces(
       List<VoxelGrid> grids, List<BitCube> fragments, List<Optional<PartialVoxels>> partial) {

@@ -14,7 +14,7 @@ import org.palpate.volume.fracture.PosedBits;
  *
  * @param meanMm mean distance; NaN if no point counts
  * @param mostlyMm the distance that 95 % of the points do not exceed, likewise; unlike the largest,
- *     it does not hang on a few points at the broken rim
+ *     it does not depend on a few points at the broken rim
  * @param largestMm largest distance, likewise
  * @param share the part of the fragment's surface that counts, 0 to 1
  */
