@@ -24,6 +24,7 @@ import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
 import org.palpate.io.table.NumbersCsvReader;
 import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.io.volume.VolumeFormatException;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
@@ -164,8 +165,12 @@ public final class FeelOptions {
     return effects.needsGrey() || materials.areWanted();
   }
 
-  /** Returns the files that the options name, which no output may replace. */
-  public List<Path> files() {
+  /**
+   * Returns the files that the options name, which no output may replace.
+   *
+   * @throws VolumeFormatException if the scan of the fragments cannot be read
+   */
+  public List<Path> files() throws VolumeFormatException {
     return Stream.of(
             guides.stream().filter(text -> EffectOptions.kind(text).equals("path")).map(this::file),
             materials.file().stream(),

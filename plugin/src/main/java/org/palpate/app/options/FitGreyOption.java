@@ -53,9 +53,17 @@ public final class FitGreyOption {
     }
   }
 
-  /** Returns the scan, which no output may replace. */
-  public List<Path> files() {
-    return scan == null ? List.of() : List.of(file());
+  /**
+   * Returns every file of the scan, which no output may replace.
+   *
+   * @throws VolumeFormatException if the scan cannot be read
+   */
+  public List<Path> files() throws VolumeFormatException {
+    return scan == null ? List.of() : open().files();
+  }
+
+  private VolumeReader open() throws VolumeFormatException {
+    return VolumeFiles.open(file(), ReadOptions.defaults());
   }
 
   private Path file() {
@@ -101,7 +109,7 @@ public final class FitGreyOption {
     if (scan == null) {
       return Collections.nCopies(count, Optional.empty());
     }
-    VolumeReader reader = VolumeFiles.open(file(), ReadOptions.defaults());
+    VolumeReader reader = open();
     VoxelGrid own = reader.header().grid();
     VoxelGrid grid = AxisSigns.convert(own, reader.header().coordinateSystem(), world).orElse(own);
     ScalarVolume values = GreyVolumes.read(reader);

@@ -135,8 +135,26 @@ class FitGreyOptionTest {
   }
 
   @Test
-  void theScanIsAnInput() {
-    assertEquals(List.of(Path.of("a:>=b.nrrd")), options("--fit-grey=a:>=b.nrrd:>=5").files());
+  void theScanIsAnInput() throws IOException {
+    Path scan = scan("a:>=b.nrrd", "(0.5,0.5,0.5)");
+    assertEquals(List.of(scan), options("--fit-grey=" + scan + ":>=5").files());
+  }
+
+  @Test
+  void theDataFileOfAScanIsAnInputToo() throws IOException {
+    Path data = Files.write(folder.resolve("scan.raw"), new byte[8]);
+    Path scan =
+        Files.writeString(
+            folder.resolve("scan.nhdr"),
+            """
+            NRRD0004
+            type: uint8
+            dimension: 3
+            sizes: 2 2 2
+            encoding: raw
+            data file: scan.raw
+            """);
+    assertEquals(List.of(scan, data), options("--fit-grey=" + scan + ":>=5").files());
   }
 
   @ParameterizedTest
