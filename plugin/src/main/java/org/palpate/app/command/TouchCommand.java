@@ -370,7 +370,11 @@ public final class TouchCommand implements Callable<Integer> {
   private SessionScene scene(
       ContactScene contactScene, VolumeSource source, Optional<MadeTool> made) throws IOException {
     return SessionScene.of(contactScene, tool, made, judge.device())
-        .withFit(feel.faceFit(contactScene.volume(), source.header().coordinateSystem()));
+        .withFit(
+            feel.faceFit(
+                contactScene.volume(),
+                source.header().coordinateSystem(),
+                spec.commandLine().getErr()));
   }
 
   private TouchReport run(

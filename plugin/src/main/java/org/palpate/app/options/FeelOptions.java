@@ -1,6 +1,7 @@
 package org.palpate.app.options;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -140,11 +141,12 @@ public final class FeelOptions {
    *
    * @param fragments the fragments where they rest
    * @param world the directions of the world axes
+   * @param err receives a note about the scan of the fragments, if there is one
    * @throws IOException if the scan of the fragments cannot be read
    * @throws PalpateException exit code 2, if the gap or the scan is wrong
    */
-  public Optional<FaceFit> faceFit(SegmentedVolume fragments, CoordinateSystem world)
-      throws IOException {
+  public Optional<FaceFit> faceFit(
+      SegmentedVolume fragments, CoordinateSystem world, PrintWriter err) throws IOException {
     Optional<String> text = fit();
     if (text.isEmpty()) {
       return Optional.empty();
@@ -152,7 +154,10 @@ public final class FeelOptions {
     List<BitCube> cubes = fragments.segments().stream().map(Segment::bits).toList();
     return Optional.of(
         new FaceFit(
-            fragments.grids(), cubes, fitGrey.partialVoxels(fragments, world), gapMm(text.get())));
+            fragments.grids(),
+            cubes,
+            fitGrey.partialVoxels(fragments, world, err),
+            gapMm(text.get())));
   }
 
   /** Returns what hands fits over to the guide. */

@@ -1,5 +1,6 @@
 package org.palpate.app.options;
 
+import java.io.PrintWriter;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,6 +12,7 @@ import org.palpate.fracture.PartialVoxels;
 import org.palpate.io.GreyVolumes;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.file.NumberParser;
+import org.palpate.io.scene.BodyReader;
 import org.palpate.io.volume.AxisSigns;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
@@ -100,18 +102,25 @@ public final class FitGreyOption {
    *
    * @param fragments the fragments where they rest
    * @param world the directions of the world axes
+   * @param err receives a note if the axes of the scan cannot be turned into these
    * @throws VolumeFormatException if the scan cannot be read
    * @throws PalpateException exit code 2, if no fragment has the voxels of the scan
    */
   public List<Optional<PartialVoxels>> partialVoxels(
-      SegmentedVolume fragments, CoordinateSystem world) throws VolumeFormatException {
+      SegmentedVolume fragments, CoordinateSystem world, PrintWriter err)
+      throws VolumeFormatException {
     int count = fragments.segments().size();
     if (scan == null) {
       return Collections.nCopies(count, Optional.empty());
     }
     VolumeReader reader = open();
     VoxelGrid own = reader.header().grid();
-    VoxelGrid grid = AxisSigns.convert(own, reader.header().coordinateSystem(), world).orElse(own);
+    Optional<VoxelGrid> turned = AxisSigns.convert(own, reader.header().coordinateSystem(), world);
+    if (turned.isEmpty()) {
+      err.println(BodyReader.unknownAxes(reader.sourceName()));
+      err.flush();
+    }
+    VoxelGrid grid = turned.orElse(own);
     ScalarVolume values = GreyVolumes.read(reader);
     double threshold = threshold();
     double contrast = GreyIsosurface.ofThreshold(values, threshold).contrast();

@@ -209,7 +209,7 @@ public final class BodyReader {
   }
 
   /** Returns a note about a file whose axes are not known, or are known in an unknown world. */
-  static String unknownAxes(String file) {
+  public static String unknownAxes(String file) {
     return "The world axes of " + file + " are taken as those of the scene.";
   }
 

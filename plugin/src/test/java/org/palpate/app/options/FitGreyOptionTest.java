@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -38,6 +40,9 @@ class FitGreyOptionTest {
   private static final ContactOptions CONTACT = Given.options(new ContactOptions());
 
   @TempDir private Path folder;
+
+  private final StringWriter notes = new StringWriter();
+  private final PrintWriter err = new PrintWriter(notes);
 
   private static FeelOptions options(String... arguments) {
     return Given.options(new FeelOptions(), arguments);
@@ -83,11 +88,11 @@ class FitGreyOptionTest {
   }
 
   /** Returns how far down the fit moves the upper slab, mm. */
-  private static double movesDown(String... arguments) throws IOException {
+  private double movesDown(String... arguments) throws IOException {
     SegmentedVolume slabs = slabs(VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE));
     FitTarget fit =
         options(arguments)
-            .faceFit(slabs, CoordinateSystem.LPS)
+            .faceFit(slabs, CoordinateSystem.LPS, err)
             .orElseThrow()
             .fit(1, other -> false, List.of(new Pose(), new Pose()))
             .orElseThrow();
@@ -102,6 +107,19 @@ class FitGreyOptionTest {
     double truth = UPPER_BOTTOM - LOWER_TOP;
     assertEquals(truth, movesDown("--guide=fit", "--fit-grey=" + scan + ":>=" + THRESHOLD), 0.1);
     assertEquals(4, movesDown("--guide=fit"), 0.05);
+  }
+
+  @Test
+  void unknownAxesOfTheScanAreNoted() throws IOException {
+    Path scan = scan("scan.nrrd", "(0.5,0.5,0.5)");
+    FitGreyOption option = Given.options(new FitGreyOption(), "--fit-grey=" + scan + ":>=1000");
+    SegmentedVolume slabs = slabs(VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE));
+    option.partialVoxels(slabs, CoordinateSystem.LPS, err);
+    assertEquals("", notes.toString());
+    option.partialVoxels(slabs, CoordinateSystem.UNKNOWN, err);
+    assertEquals(
+        "The world axes of " + scan + " are taken as those of the scene.",
+        notes.toString().strip());
   }
 
   @Test
@@ -130,8 +148,8 @@ class FitGreyOptionTest {
     SegmentedVolume slabs = new SegmentedVolume(grid, slabs(grid).segments(), List.of(grid, other));
     FitGreyOption option =
         Given.options(new FitGreyOption(), "--fit-grey=" + scan + ":>=" + THRESHOLD);
-    assertTrue(option.partialVoxels(slabs, CoordinateSystem.LPS).get(0).isPresent());
-    assertTrue(option.partialVoxels(slabs, CoordinateSystem.LPS).get(1).isEmpty());
+    assertTrue(option.partialVoxels(slabs, CoordinateSystem.LPS, err).get(0).isPresent());
+    assertTrue(option.partialVoxels(slabs, CoordinateSystem.LPS, err).get(1).isEmpty());
   }
 
   @Test
