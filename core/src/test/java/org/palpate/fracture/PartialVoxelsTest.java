@@ -169,14 +169,7 @@ class PartialVoxelsTest {
   void aFragmentOnAPartOfTheGridReadsTheSameValues() {
     ScalarVolume values = slab(12.7);
     BitCube bits = above(values, 0, 12);
-    VoxelGrid part =
-        new VoxelGrid(
-            EDGE,
-            EDGE,
-            EDGE - 2,
-            new Vec3(1, 1, 1),
-            new RigidTransform(
-                new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3(0, 0, 2)));
+    VoxelGrid part = grid(EDGE - 2, 2);
     BitCube cropped = new BitCube(EDGE, EDGE, EDGE - 2);
     bits.forEachRimVoxel((i, j, k) -> cropped.set(i, j, k - 2));
     PartialVoxels found =
@@ -188,18 +181,19 @@ class PartialVoxelsTest {
   void greyValuesWithOtherVoxelsTellNothing() {
     ScalarVolume values = slab(12.7);
     BitCube bits = above(values, 0, 12);
-    VoxelGrid shifted =
-        new VoxelGrid(
-            EDGE,
-            EDGE,
-            EDGE,
-            new Vec3(1, 1, 1),
-            new RigidTransform(
-                new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3(0, 0, 0.4)));
+    VoxelGrid shifted = grid(EDGE, 0.4);
     VoxelGrid wide =
         new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1.01), RigidTransform.identity());
     assertTrue(PartialVoxels.of(bits, GRID, values, shifted, THRESHOLD, CONTRAST).isEmpty());
     assertTrue(PartialVoxels.of(bits, GRID, values, wide, THRESHOLD, CONTRAST).isEmpty());
+  }
+
+  /** Returns a grid as wide as the fragments, of some layers from a height on. */
+  private static VoxelGrid grid(int layers, double z) {
+    RigidTransform toWorld =
+        new RigidTransform(
+            new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3(0, 0, z));
+    return new VoxelGrid(EDGE, EDGE, layers, new Vec3(1, 1, 1), toWorld);
   }
 
   @Test
