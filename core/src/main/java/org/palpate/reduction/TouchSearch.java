@@ -98,9 +98,9 @@ final class TouchSearch {
 
   /**
    * Returns the point that is nearest to the middle of the fragment, so that a tremor that turns
-   * the hand moves the fragment little. Points at which the hand can leave the fragment come first.
-   * Of these, points whose lines have room for a tremor come first, and of these points that a line
-   * away from the middle reaches. Without any it takes some point.
+   * the hand moves the fragment little. Prefers points at which the hand can leave the fragment.
+   * Among them, prefers points whose lines have room for a tremor, and then points that a line away
+   * from the middle reaches. Takes the nearest point if it finds no line to any point.
    *
    * @param end the pose at which the hand will let the fragment go
    * @param preferred the direction of the line if none is free
