@@ -54,7 +54,7 @@ abstract class ReferenceSolver implements ProxySolver {
     border.forget();
   }
 
-  /** Follows the device. Numbers of steps are those of 2012, and of lines those of 2013. */
+  /** Follows the device, by the steps of {@link DotSolver} and the lines of {@link PaperSolver}. */
   @Override
   public final void follow(CollisionScene scene, Vec3 device, InteractionPoint point) {
     p2.begin(scene, device, point); // step 1; lines 1 and 2, 4
