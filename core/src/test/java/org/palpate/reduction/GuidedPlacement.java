@@ -35,6 +35,7 @@ import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.YieldingHand;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -95,8 +96,9 @@ final class GuidedPlacement {
   Result place(double wrongMm, double wrongDegrees, long seed, Optional<FaceFit> fit) {
     SplittableRandom random = new SplittableRandom(seed);
     Pose goal = new Pose();
-    goal.rotation.setRotationVector(unit(random).mul(Math.toRadians(wrongDegrees), new Vec3()));
-    centroid.add(unit(random).mul(wrongMm, new Vec3()), goal.translation);
+    goal.rotation.setRotationVector(
+        RandomGeometry.direction(random).mul(Math.toRadians(wrongDegrees), new Vec3()));
+    centroid.add(RandomGeometry.direction(random).mul(wrongMm, new Vec3()), goal.translation);
     Pose start = new Pose().set(goal);
     Vec3 lift = wayOut().mul(LIFT_MM, new Vec3());
     do {
@@ -204,13 +206,5 @@ final class GuidedPlacement {
         FrameSettings.live(hand.specification(), ForceSettings.of(STIFFNESS, 0.2)),
         EditQueue.ofBodies(bodies.grids()),
         ToolFramePublisher.NONE);
-  }
-
-  private static Vec3 unit(SplittableRandom random) {
-    Vec3 v = new Vec3();
-    do {
-      v.set(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-    } while (!(v.length() <= 1 && v.length() > 0));
-    return v.mul(1 / v.length(), v);
   }
 }

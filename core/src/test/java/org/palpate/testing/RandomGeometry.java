@@ -16,6 +16,15 @@ public final class RandomGeometry {
         random.nextDouble(-size, size));
   }
 
+  /** Returns a random unit vector; all directions are equally likely. */
+  public static Vec3 direction(SplittableRandom random) {
+    Vec3 v;
+    do {
+      v = vector(random, 1);
+    } while (!(v.length() <= 1 && v.length() > 0));
+    return v.mul(1 / v.length(), v);
+  }
+
   /** Returns a pose with a random rotation and a translation in the cube from -size to size, mm. */
   public static Pose pose(SplittableRandom random, double size) {
     Pose pose = new Pose();

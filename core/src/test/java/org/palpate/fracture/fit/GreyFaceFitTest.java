@@ -19,6 +19,7 @@ import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.HollowShaft;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 import org.palpate.volume.fracture.FractureSpec;
@@ -98,9 +99,9 @@ class GreyFaceFitTest {
     FaceFit grey = new FaceFit(scan.grids, scan.bits, scan.partial, OptionalDouble.of(0));
     for (int n = 0; n < scan.bits.size(); n++) {
       Pose wrong = new Pose();
-      Vec3 turn = ScannedFragments.unit(random).mul(Math.toRadians(WRONG_DEGREES), new Vec3());
+      Vec3 turn = RandomGeometry.direction(random).mul(Math.toRadians(WRONG_DEGREES), new Vec3());
       wrong.rotation.setRotationVector(turn);
-      Vec3 way = ScannedFragments.unit(random).mul(WRONG_MM, new Vec3());
+      Vec3 way = RandomGeometry.direction(random).mul(WRONG_MM, new Vec3());
       fromBits.add(fitted(scan, n, bits, wrong, way));
       fromGrey.add(fitted(scan, n, grey, wrong, way));
     }

@@ -10,6 +10,7 @@ import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.ConnectedComponents;
 import org.palpate.volume.ConnectedComponents.Neighbours;
@@ -53,7 +54,7 @@ final class ScannedFragments {
     for (BitCube each : fine.bits()) {
       Pose scanned = new Pose();
       scanned.rotation.setRotationVector(
-          unit(random).mul(random.nextDouble(0.15, 0.7), new Vec3()));
+          RandomGeometry.direction(random).mul(random.nextDouble(0.15, 0.7), new Vec3()));
       scanned.translation.set(random.nextDouble(), random.nextDouble(), random.nextDouble());
       PosedBits fragment = new PosedBits(each, fine.grid(), scanned);
       ScalarVolume values = scanned(fragment, gridAround(fragment));
@@ -158,14 +159,5 @@ final class ScannedFragments {
         (int) Math.ceil(high.z - origin.z) + MARGIN,
         new Vec3(1, 1, 1),
         new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), origin));
-  }
-
-  /** Returns a random direction. */
-  static Vec3 unit(SplittableRandom random) {
-    Vec3 v = new Vec3();
-    do {
-      v.set(random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1));
-    } while (!(v.length() <= 1 && v.length() > 0));
-    return v.mul(1 / v.length(), v);
   }
 }
