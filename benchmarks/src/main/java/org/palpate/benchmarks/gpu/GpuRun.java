@@ -1,5 +1,6 @@
 package org.palpate.benchmarks.gpu;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -81,16 +82,20 @@ public final class GpuRun {
     StudyTable.GPU_LAUNCHES.write(folder, run.launches, GpuRun::cells);
     run.measureGrowth();
     run.measureCpu();
+    // A device that fails does not cost the times before it, and is named even if writing fails.
+    Closeable tables = () -> run.writeTimes(folder);
     long gpus;
-    try {
+    try (tables) {
       gpus = run.measureDevices();
-    } finally { // a device that fails does not cost the times before it
-      StudyTable.GPU.write(folder, run.times, PartTime::cells);
-      StudyTable.GPU_FRAMES.write(folder, run.frames, cells -> cells);
     }
     out.println(gpus == 0 ? "No GPU was measured." : gpus + " GPUs were measured.");
     out.flush();
     return gpus;
+  }
+
+  private void writeTimes(Path folder) throws IOException {
+    StudyTable.GPU.write(folder, times, PartTime::cells);
+    StudyTable.GPU_FRAMES.write(folder, frames, cells -> cells);
   }
 
   private void countLaunches() {
