@@ -6,9 +6,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.palpate.fracture.PartialVoxels;
 import org.palpate.geometry.AffineMap;
-import org.palpate.geometry.IntBox;
 import org.palpate.geometry.Pose;
-import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.testing.RandomGeometry;
 import org.palpate.volume.BitCube;
@@ -32,7 +30,8 @@ final class ScannedFragments {
   /** Samples of a scanned voxel along each axis. */
   private static final int SAMPLES = 3;
 
-  private static final int MARGIN = 3;
+  /** Has the axes and the voxels of every scan. */
+  private static final VoxelGrid SCANNER = VoxelGrid.ofUnitVoxels(1, 1, 1);
 
   final List<VoxelGrid> grids = new ArrayList<>();
   final List<BitCube> bits = new ArrayList<>();
@@ -57,7 +56,7 @@ final class ScannedFragments {
           RandomGeometry.direction(random).mul(random.nextDouble(0.15, 0.7), new Vec3()));
       scanned.translation.set(random.nextDouble(), random.nextDouble(), random.nextDouble());
       PosedBits fragment = new PosedBits(each, fine.grid(), scanned);
-      ScalarVolume values = scanned(fragment, gridAround(fragment));
+      ScalarVolume values = scanned(fragment, PosedBits.gridAround(List.of(fragment), SCANNER));
       BitCube largest = ConnectedComponents.largest(solid(values), Neighbours.FACES_EDGES_CORNERS);
       scan.add(largest, values, scanned.inverseMultiply(new Pose(), new Pose()));
     }
@@ -132,32 +131,5 @@ final class ScannedFragments {
       }
     }
     return solid / (double) (SAMPLES * SAMPLES * SAMPLES);
-  }
-
-  private static VoxelGrid gridAround(PosedBits fragment) {
-    IntBox box = fragment.bits().bounds();
-    Vec3 low = new Vec3(Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE);
-    Vec3 high = new Vec3(-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE);
-    Vec3 p = new Vec3();
-    for (int corner = 0; corner < 8; corner++) {
-      p.set(
-          (corner & 1) == 0 ? box.lowX : box.highX + 1.0,
-          (corner & 2) == 0 ? box.lowY : box.highY + 1.0,
-          (corner & 4) == 0 ? box.lowZ : box.highZ + 1.0);
-      fragment.pose().transform(fragment.grid().gridToWorld(p, p), p);
-      for (int axis = 0; axis < 3; axis++) {
-        low.set(axis, Math.min(low.get(axis), p.get(axis)));
-        high.set(axis, Math.max(high.get(axis), p.get(axis)));
-      }
-    }
-    Vec3 origin =
-        new Vec3(
-            Math.floor(low.x) - MARGIN, Math.floor(low.y) - MARGIN, Math.floor(low.z) - MARGIN);
-    return new VoxelGrid(
-        (int) Math.ceil(high.x - origin.x) + MARGIN,
-        (int) Math.ceil(high.y - origin.y) + MARGIN,
-        (int) Math.ceil(high.z - origin.z) + MARGIN,
-        new Vec3(1, 1, 1),
-        new RigidTransform(new Vec3(1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), origin));
   }
 }
