@@ -35,24 +35,38 @@ public interface ChangeLog {
    */
   void forgetFrom(long change);
 
-  /**
-   * {@return whether changes may be undone now} Asked once, before a stroke is undone.
-   *
-   * @param first the number of the first of the changes
-   * @param end the number of the change after the last of them
-   */
-  default boolean mayUndo(long first, long end) {
-    return true;
+  /** Whether changes may be undone or done again. */
+  enum Answer {
+    /** They may. */
+    YES,
+
+    /** They may not now, perhaps later. */
+    NO,
+
+    /** The log has not found out yet; it goes on when it is asked again in a later frame. */
+    LATER
   }
 
   /**
-   * {@return whether changes may be done again now} Asked once, before a stroke is redone.
+   * {@return whether changes may be undone now} Asked before a stroke is undone, once a frame until
+   * the answer is not {@link Answer#LATER}. The work of each call is bounded.
    *
    * @param first the number of the first of the changes
    * @param end the number of the change after the last of them
    */
-  default boolean mayRedo(long first, long end) {
-    return true;
+  default Answer mayUndo(long first, long end) {
+    return Answer.YES;
+  }
+
+  /**
+   * {@return whether changes may be done again now} Asked before a stroke is redone, as {@link
+   * #mayUndo}.
+   *
+   * @param first the number of the first of the changes
+   * @param end the number of the change after the last of them
+   */
+  default Answer mayRedo(long first, long end) {
+    return Answer.YES;
   }
 
   /** {@return whether the changes of a stroke are undone and redone at once, however many} */

@@ -6,6 +6,7 @@ public final class HistoryEdit extends Edit {
   static final int VOXELS_A_BRICK = 64;
 
   private final boolean isUndo;
+  private boolean isRefused;
 
   private HistoryEdit(boolean isUndo) {
     super(0);
@@ -28,6 +29,16 @@ public final class HistoryEdit extends Edit {
     return new HistoryEdit(false);
   }
 
+  /** {@return whether this undoes a stroke; otherwise it redoes one} Any thread. */
+  public boolean isUndo() {
+    return isUndo;
+  }
+
+  /** {@return whether a log refused, so that nothing changed} Any thread, once it is done. */
+  public boolean isRefused() {
+    return isRefused;
+  }
+
   @Override
   void prepare(SegmentGrids grids) {
     // Fits every scene.
@@ -36,8 +47,13 @@ public final class HistoryEdit extends Edit {
   @Override
   int apply(VoxelWriter out, int maxVoxels) {
     int bricks = Math.max(1, maxVoxels / VOXELS_A_BRICK);
-    if (isUndo ? out.history().undo(bricks) : out.history().redo(bricks)) {
+    UndoHistory history = out.history();
+    long refusedBefore = history.refused();
+    if (isUndo ? history.undo(bricks) : history.redo(bricks)) {
+      isRefused = history.refused() > refusedBefore;
       finish();
+    } else if (!history.isMoving()) {
+      return maxVoxels; // A log has not found out yet whether it may; it goes on in the next frame.
     }
     return Math.max(1, Math.min(maxVoxels, bricks * VOXELS_A_BRICK));
   }

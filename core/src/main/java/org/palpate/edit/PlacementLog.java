@@ -1,38 +1,44 @@
 package org.palpate.edit;
 
+import java.util.List;
 import org.palpate.geometry.Pose;
 
 /**
  * Keeps placements of bodies, so that they can be undone and redone to the bit. Those of bodies
  * that moved together are one stroke.
  *
- * <p>A body may <em>stray</em>: it moves without a placement. A placement is refused if it would
- * put a body near one that has strayed since the placement began. All others stand bit for bit
- * where they stood then, so nothing comes nearer to them than it was.
+ * <p>A body may <em>stray</em>: it moves without a placement. Undo is refused if it would put a
+ * body near one that does not stand where it stood when the placement began. All others stand there
+ * bit for bit, so nothing comes nearer to them than it was. Redo compares with where bodies stood
+ * when the placement ended.
  *
  * <p>Haptic thread only; allocates nothing after it was made.
  */
 public final class PlacementLog implements ChangeLog {
-  /** The most placements that are kept. */
-  private static final int CAPACITY = 1024;
+  /** The most placements that are kept; fewer among many bodies. */
+  private static final int MOST_PLACEMENTS = 1024;
+
+  /** The most poses that are kept of the beginnings of placements, and of their ends, 3.7 MB. */
+  private static final int MOST_POSES = 1 << 16;
 
   private final Placer placer;
-  private final int[] body = new int[CAPACITY];
-  private final Pose[] from = new Pose[CAPACITY];
-  private final Pose[] to = new Pose[CAPACITY];
+  private final int bodies;
+  private final int capacity;
+  private final int[] body;
 
-  /** For each placement, the strays that had been noted when it began. */
-  private final long[] begin = new long[CAPACITY];
+  /** For each placement the poses of all bodies when it began. */
+  private final PoseTable begins;
 
-  /** For each body the number of its last stray; 0 for none. */
-  private final long[] lastStray;
+  /** The same when it ended. */
+  private final PoseTable ends;
 
-  private long strays;
+  private final Pose target = new Pose();
+  private final PlacementCheck check;
   private UndoHistory history;
   private long end;
   private long oldest;
 
-  /** Puts bodies where they were. */
+  /** Puts bodies where they were, and looks whether there is room. */
   public interface Placer {
     /** {@return the number of bodies in the scene} */
     int count();
@@ -45,13 +51,44 @@ public final class PlacementLog implements ChangeLog {
     Pose pose(int body);
 
     /**
-     * {@return whether a body would keep its whole clearance from another one}
+     * {@return the number of times that the pose of a body was set}
+     *
+     * @param body the index of the body in the scene
+     */
+    long motions(int body);
+
+    /** {@return the number of edits of all bodies} */
+    long edits();
+
+    /**
+     * {@return whether a body may be near another one; false only if the two are far apart}
      *
      * @param body the index of the body in the scene
      * @param pose the pose of that body, from rest to present, world mm
      * @param other the index of the other body, which stays where it is
      */
-    boolean keepsClear(int body, Pose pose, int other);
+    boolean isNear(int body, Pose pose, int other);
+
+    /**
+     * Begins to look whether a body would keep its whole clearance from another one. The last such
+     * check is forgotten.
+     *
+     * @param body the index of the body in the scene
+     * @param pose the pose of that body, from rest to present, world mm
+     * @param other the index of the other body, which stays where it is
+     */
+    void beginCheck(int body, Pose pose, int other);
+
+    /**
+     * Goes on with the check.
+     *
+     * @param most about the most points to look at
+     * @return the number of points that it looked at, or as many as other work is worth
+     */
+    int continueCheck(int most);
+
+    /** {@return whether the body would keep its clearance; later if points are left} */
+    Answer checked();
 
     /**
      * Sets the pose of a body.
@@ -69,11 +106,12 @@ public final class PlacementLog implements ChangeLog {
    */
   public PlacementLog(Placer placer) {
     this.placer = placer;
-    lastStray = new long[placer.count()];
-    for (int n = 0; n < CAPACITY; n++) {
-      from[n] = new Pose();
-      to[n] = new Pose();
-    }
+    bodies = placer.count();
+    capacity = Math.min(MOST_PLACEMENTS, Math.max(1, MOST_POSES / Math.max(1, bodies)));
+    body = new int[capacity];
+    begins = new PoseTable(capacity, bodies);
+    ends = new PoseTable(capacity, bodies);
+    check = new PlacementCheck(placer);
   }
 
   /** Sets the history that groups the placements; before the first. */
@@ -87,35 +125,26 @@ public final class PlacementLog implements ChangeLog {
   }
 
   /**
-   * Notes that a body was moved from one pose to another.
+   * Notes that a body was placed where it is now.
    *
    * @param index the index of the body in the scene
-   * @param before its pose before, from rest to present, world mm; copied
-   * @param after its pose after, likewise
-   * @param since what {@link #strays} was when it began
+   * @param before the poses of all bodies when the placement began, from rest to present, world mm;
+   *     copied
    */
-  public void note(int index, Pose before, Pose after, long since) {
+  public void note(int index, List<Pose> before) {
     history.beforeChange();
-    int at = (int) (end++ % CAPACITY);
-    body[at] = index;
-    from[at].set(before);
-    to[at].set(after);
-    begin[at] = since;
-    oldest = Math.max(oldest, end - CAPACITY);
+    int slot = slot(end++);
+    body[slot] = index;
+    for (int n = 0; n < bodies; n++) {
+      begins.set(slot, n, before.get(n));
+      ends.set(slot, n, placer.pose(n));
+    }
+    oldest = Math.max(oldest, end - capacity);
+    check.drop();
   }
 
-  /** {@return the number of strays that were noted so far} */
-  public long strays() {
-    return strays;
-  }
-
-  /**
-   * Notes that a body moved without a placement.
-   *
-   * @param index the index of the body in the scene
-   */
-  public void noteStray(int index) {
-    lastStray[index] = ++strays;
+  private int slot(long change) {
+    return (int) (change % capacity);
   }
 
   @Override
@@ -130,31 +159,33 @@ public final class PlacementLog implements ChangeLog {
 
   @Override
   public void undo(long change) {
-    place(change, to, from);
+    place(slot(change), begins);
   }
 
   @Override
   public void redo(long change) {
-    place(change, from, to);
+    place(slot(change), ends);
   }
 
-  /** Puts a body from one of its poses to the other. One that is not there has strayed. */
-  private void place(long change, Pose[] expected, Pose[] target) {
-    int at = (int) (change % CAPACITY);
-    if (!placer.pose(body[at]).sameBits(expected[at])) {
-      noteStray(body[at]);
+  private void place(int slot, PoseTable poses) {
+    placer.place(body[slot], poses.get(slot, body[slot], target));
+  }
+
+  @Override
+  public Answer mayUndo(long first, long end) {
+    return mayPlace(first, end, begins);
+  }
+
+  @Override
+  public Answer mayRedo(long first, long end) {
+    return mayPlace(first, end, ends);
+  }
+
+  private Answer mayPlace(long first, long last, PoseTable poses) {
+    if (!check.isOf(first, last, poses)) {
+      check.begin(first, last, poses, body);
     }
-    placer.place(body[at], target[at]);
-  }
-
-  @Override
-  public boolean mayUndo(long first, long end) {
-    return mayPlace(first, end, from);
-  }
-
-  @Override
-  public boolean mayRedo(long first, long end) {
-    return mayPlace(first, end, to);
+    return check.goOn();
   }
 
   @Override
@@ -162,34 +193,10 @@ public final class PlacementLog implements ChangeLog {
     return true;
   }
 
-  /** Whether bodies that moved together would keep clear of all bodies that have strayed since. */
-  private boolean mayPlace(long first, long end, Pose[] target) {
-    for (long change = first; change < end; change++) {
-      int at = (int) (change % CAPACITY);
-      for (int other = 0; other < lastStray.length; other++) {
-        if (lastStray[other] > begin[at]
-            && !isPlaced(other, first, end)
-            && !placer.keepsClear(body[at], target[at], other)) {
-          return false;
-        }
-      }
-    }
-    return true;
-  }
-
-  /** Whether one of some placements is that of a body. */
-  private boolean isPlaced(int index, long first, long end) {
-    for (long change = first; change < end; change++) {
-      if (body[(int) (change % CAPACITY)] == index) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   @Override
   public void forgetFrom(long change) {
     end = change;
+    check.drop();
   }
 
   @Override

@@ -174,7 +174,8 @@ public final class UndoHistory {
   }
 
   /**
-   * Undoes the last stroke or a part of it.
+   * Undoes the last stroke or a part of it. As long as a log does not know whether it may, nothing
+   * is undone, and other changes may come between two calls.
    *
    * @param mostChanges the most changes to undo, at least 1
    * @return whether the stroke is undone; true as well if there is none, or if it is refused
@@ -182,8 +183,12 @@ public final class UndoHistory {
   public boolean undo(int mostChanges) {
     if (!isMoving) {
       endStroke();
-      if (!canUndo(0) || !mayMove(true)) {
+      if (!canUndo(0)) {
         return true;
+      }
+      ChangeLog.Answer answer = mayMove(true);
+      if (answer != ChangeLog.Answer.YES) {
+        return answer == ChangeLog.Answer.NO;
       }
       isMoving = true;
     }
@@ -202,16 +207,22 @@ public final class UndoHistory {
   }
 
   /**
-   * Redoes the stroke that was undone last, or a part of it.
+   * Redoes the stroke that was undone last, or a part of it; see {@link #undo}.
    *
    * @param mostChanges the most changes to do, at least 1
    * @return whether the stroke is done again; true as well if there is none, or if it is refused
    */
   public boolean redo(int mostChanges) {
-    if (!isMoving && (known == done || !mayMove(false))) {
-      return true;
+    if (!isMoving) {
+      if (known == done) {
+        return true;
+      }
+      ChangeLog.Answer answer = mayMove(false);
+      if (answer != ChangeLog.Answer.YES) {
+        return answer == ChangeLog.Answer.NO;
+      }
+      isMoving = true;
     }
-    isMoving = true;
     int left = mostChanges;
     for (int log = 0; log < logs.length; log++) {
       long target = ends[at(done + 1) + log];
@@ -226,21 +237,21 @@ public final class UndoHistory {
     return true;
   }
 
-  /** Whether each log lets the next stroke be undone, or be done again; counts it if not. */
-  private boolean mayMove(boolean isUndo) {
+  /** Returns whether all logs let the next stroke be undone, or be done again; counts a refusal. */
+  private ChangeLog.Answer mayMove(boolean isUndo) {
     int target = at(isUndo ? done - 1 : done + 1);
     for (int log = 0; log < logs.length; log++) {
       long next = ends[target + log];
-      boolean may =
+      ChangeLog.Answer answer =
           isUndo
               ? logs[log].mayUndo(next, positions[log])
               : logs[log].mayRedo(positions[log], next);
-      if (!may) {
-        refused++;
-        return false;
+      if (answer != ChangeLog.Answer.YES) {
+        refused += answer == ChangeLog.Answer.NO ? 1 : 0;
+        return answer;
       }
     }
-    return true;
+    return ChangeLog.Answer.YES;
   }
 
   private void arriveAt(long stroke) {

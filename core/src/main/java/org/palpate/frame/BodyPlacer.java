@@ -1,12 +1,13 @@
 package org.palpate.frame;
 
 import org.palpate.body.BodyScene;
+import org.palpate.edit.ChangeLog.Answer;
 import org.palpate.edit.PlacementLog;
 import org.palpate.geometry.Pose;
-import org.palpate.rigid.BodyMover;
+import org.palpate.rigid.BodyMover.ClearCheck;
 
 /** Puts the bodies of a scene where they were. Haptic thread only; allocates nothing. */
-record BodyPlacer(BodyScene bodies, BodyMover mover) implements PlacementLog.Placer {
+record BodyPlacer(BodyScene bodies, ClearCheck check) implements PlacementLog.Placer {
   @Override
   public int count() {
     return bodies.count();
@@ -18,8 +19,37 @@ record BodyPlacer(BodyScene bodies, BodyMover mover) implements PlacementLog.Pla
   }
 
   @Override
-  public boolean keepsClear(int body, Pose pose, int other) {
-    return mover.keepsClear(body, pose, other);
+  public long motions(int body) {
+    return bodies.body(body).motions();
+  }
+
+  @Override
+  public long edits() {
+    return bodies.edits();
+  }
+
+  @Override
+  public boolean isNear(int body, Pose pose, int other) {
+    return check.isNear(body, pose, other);
+  }
+
+  @Override
+  public void beginCheck(int body, Pose pose, int other) {
+    check.begin(body, pose, other);
+  }
+
+  @Override
+  public int continueCheck(int most) {
+    return check.goOn(most);
+  }
+
+  @Override
+  public Answer checked() {
+    return switch (check.answer()) {
+      case UNDECIDED -> Answer.LATER;
+      case CLEAR -> Answer.YES;
+      case BLOCKED -> Answer.NO;
+    };
   }
 
   @Override

@@ -37,7 +37,7 @@ final class BodyReport {
 
   /**
    * Reports the poses that changed. The cause is the hand for the bodies that it moves, and the
-   * given event for the others. Bodies that approached a goal have strayed from their placements.
+   * given event for the others.
    */
   void reportMotions(BodyEvent event) {
     for (int n = 0; n < known.size(); n++) {
@@ -45,9 +45,6 @@ final class BodyReport {
       if (!pose.sameBits(known.get(n))) {
         known.get(n).set(pose);
         report(n, grasp.moves(n) ? BodyEvent.HELD : event);
-        if (event == BodyEvent.MOVED) {
-          grasp.noteIfAstray(n);
-        }
       }
     }
   }

@@ -1,5 +1,7 @@
 package org.palpate.frame;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.palpate.body.BodyScene;
 import org.palpate.edit.PlacementLog;
 import org.palpate.force.ForceSettings;
@@ -40,8 +42,8 @@ final class Grasp {
   private final Pose attachment = new Pose();
   private final Pose toolInBody = new Pose();
 
-  /** The pose of each body when the hand took hold. */
-  private final Pose[] starts;
+  /** The pose of each body when the hand took hold, or when the body began to move along. */
+  private final List<Pose> starts = new ArrayList<>();
 
   private final Pose target = new Pose();
   private final Vec3 lever = new Vec3();
@@ -53,9 +55,6 @@ final class Grasp {
   private ToolProposal proposal;
 
   private int held = NO_BODY;
-
-  /** For each body the strays that had been noted when the hand took hold. */
-  private final long[] straysBefore;
 
   /** For each body whether it is held or moves along with the one that is. */
   private final boolean[] moves;
@@ -79,11 +78,9 @@ final class Grasp {
     tool = newGrip(solver, coupling, settings);
     grip = tool;
     ofBody = new Grip[bodies.count()];
-    starts = new Pose[ofBody.length];
-    straysBefore = new long[ofBody.length];
     moves = new boolean[ofBody.length];
     for (int n = 0; n < ofBody.length; n++) {
-      starts[n] = new Pose();
+      starts.add(new Pose());
       if (solver.canMove(n)) {
         RigidSolver holding = solver.ofBody(n);
         RigidCoupling spring = RigidCoupling.of(holding.shape(), coupling.stiffnessNewtonPerMm());
@@ -206,7 +203,10 @@ final class Grasp {
     target.set(motion.pose());
     held = body;
     grip = ofBody[body];
-    begin(body);
+    for (int n = 0; n < starts.size(); n++) {
+      starts.get(n).set(bodies.body(n).pose());
+    }
+    moves[body] = true;
     grip.solver.takeOver(motion);
     grip.force.takeOver();
     motion.pose().inverseMultiply(target, toolInBody);
@@ -214,32 +214,14 @@ final class Grasp {
 
   /** Lets a movable body move along with the one that is held; before the next frame follows. */
   void join(int body) {
-    begin(body);
-    grip.solver.carry(body);
-  }
-
-  private void begin(int body) {
-    starts[body].set(bodies.body(body).pose());
-    straysBefore[body] = placements.strays();
+    starts.get(body).set(bodies.body(body).pose());
     moves[body] = true;
+    grip.solver.carry(body);
   }
 
   /** Whether a body is held or moves along with the one that is. */
   boolean moves(int body) {
     return moves[body];
-  }
-
-  /** Notes that a body moved. Undo cannot take that back, unless the hand moves the body. */
-  void noteIfAstray(int body) {
-    if (!moves[body]) {
-      placements.noteStray(body);
-    }
-  }
-
-  /** Sets the pose of a body, which undo cannot take back. */
-  void putAstray(int body, Pose pose) {
-    bodies.body(body).setPose(pose);
-    placements.noteStray(body);
   }
 
   /**
@@ -263,9 +245,8 @@ final class Grasp {
   private void notePlacements() {
     placements.separate();
     for (int n = 0; n < moves.length; n++) {
-      Pose now = bodies.body(n).pose();
-      if (moves[n] && !now.sameBits(starts[n])) {
-        placements.note(n, starts[n], now, straysBefore[n]);
+      if (moves[n] && !bodies.body(n).pose().sameBits(starts.get(n))) {
+        placements.note(n, starts);
       }
       moves[n] = false;
     }

@@ -102,7 +102,8 @@ public final class ToolFrame extends HapticFrame {
     motion = solver.newMotion();
     this.edits = edits;
     this.publisher = publisher;
-    PlacementLog placements = new PlacementLog(new BodyPlacer(bodies, solver.bodies()));
+    PlacementLog placements =
+        new PlacementLog(new BodyPlacer(bodies, solver.bodies().clearCheck()));
     EditListener noted = (segment, changed) -> bodies.body(segment).voxelsChanged(changed);
     voxels = new VoxelWriter(new CollisionScene(bodies.cubes()), noted, placements);
     limitMovableBodies();
@@ -406,7 +407,7 @@ public final class ToolFrame extends HapticFrame {
       case RELEASED -> letGo();
       case PLACED -> {
         if (!holds) { // Undo waits while a body is held.
-          grasp.putAstray(body, pose);
+          bodies.body(body).setPose(pose);
         }
       }
       case MOVED, HELD -> {

@@ -1,9 +1,12 @@
 package org.palpate.rigid;
 
 import java.util.Arrays;
+import org.palpate.geometry.AffineMap;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.raycast.ExactRayCaster;
+import org.palpate.rigid.tool.SphereTree;
 
 /**
  * Moves bodies towards goal poses, each by one verified step a frame, in the order of their
@@ -71,9 +74,11 @@ public final class BodyMover {
   private long work;
   private long pushes;
   private long heldBack;
+  private final ClearCheck clearCheck;
 
   BodyMover(RigidScene scene) {
     this.scene = scene;
+    clearCheck = new ClearCheck(scene);
     maxStepMm = scene.settings().maxStepMm();
     farthestMm = FARTHEST_PUSH_EDGES * scene.bodies().shortestEdgeMm();
     goals = new Pose[scene.bodies().count()];
@@ -128,18 +133,9 @@ public final class BodyMover {
     Arrays.fill(hasGoal, false);
   }
 
-  /**
-   * {@return whether a body at a pose would keep its whole clearance from another one, and neither
-   * would enclose the other} The other stays where it is. Looks at all sample points of one and at
-   * the voxels of the other around them, so it is for undo and not for each step. Haptic thread,
-   * between two frames.
-   *
-   * @param body the index of a body that can move
-   * @param restToPresent the pose of that body, world mm
-   * @param other the index of the other body
-   */
-  public boolean keepsClear(int body, Pose restToPresent, int other) {
-    return scene.keepsClear(body, restToPresent, other);
+  /** {@return looks whether a body would be clear of another one at a pose; for undo} */
+  public ClearCheck clearCheck() {
+    return clearCheck;
   }
 
   /** {@return the number of steps in which a body pushed the tool} */
@@ -317,5 +313,163 @@ public final class BodyMover {
   private boolean isTooFar(MoverVerifier tool, Pose device) {
     double awayMm = tool.mover.shape.metric().distance(carried, device);
     return awayMm > farthestMm && awayMm > tool.mover.shape.metric().distance(tool.pose(), device);
+  }
+
+  /**
+   * Looks, a part at a time, whether a body at a pose would keep its whole clearance from another
+   * one, and neither would enclose the other. The other stays where it is; if it moves meanwhile,
+   * or a voxel of the two changes, the answer means nothing. Haptic thread, between two frames.
+   */
+  public static final class ClearCheck {
+    /** More than the rounding of the place of a node, cells. */
+    private static final double MARGIN_CELLS = 0.5;
+
+    private final RigidScene scene;
+    private final ExactRayCaster caster = new ExactRayCaster();
+    private final Pose ofPoints = new Pose();
+    private final Pose ofVoxels = new Pose();
+    private final AffineMap toCells = new AffineMap();
+    private final EnclosureCheck.Rows rows = new EnclosureCheck.Rows();
+    private final Pose reference = new Pose();
+    private final Vec3 position = new Vec3();
+    private BodyVerifier pair;
+
+    /** The node of the tree with which the check goes on. */
+    private int node;
+
+    private Answer answer = Answer.CLEAR;
+
+    /** The finding of a check so far. */
+    public enum Answer {
+      /** Nothing, but points or voxels are left. */
+      UNDECIDED,
+
+      /** The body would be clear of the other one. */
+      CLEAR,
+
+      /** The body would not be clear of the other one. */
+      BLOCKED
+    }
+
+    private ClearCheck(RigidScene scene) {
+      this.scene = scene;
+    }
+
+    /**
+     * {@return whether a body at a pose may be near another one where that is now; false only if
+     * balls around the two are apart} Looks at no point.
+     *
+     * @param body the index of a body that can move
+     * @param restToPresent the pose of that body, world mm
+     * @param other the index of the other body
+     */
+    public boolean isNear(int body, Pose restToPresent, int other) {
+      Mover one = scene.mover(body);
+      Mover two = scene.mover(other);
+      if (!two.canMove()) {
+        return true;
+      }
+      position.set(one.toReference(restToPresent, reference).translation);
+      // Undo may have set the pose of the body, and the mover not have taken it yet.
+      position.sub(two.toReference(two.bodyPose(), reference).translation, position);
+      ClearanceLevels levels = scene.pair(body, other).levels;
+      double growthMm = levels.reachVoxels() * levels.body.grid().spacingMm().length();
+      return !(position.length() > radiusMm(one) + radiusMm(two) + growthMm);
+    }
+
+    /** Returns the radius of a ball around the voxels and the sample points of a body, mm. */
+    private static double radiusMm(Mover body) {
+      return Math.max(body.reachMm, body.shape.radiusMm()) + body.marginMm();
+    }
+
+    /**
+     * Begins a check. The last one is forgotten.
+     *
+     * @param body the index of a body that can move
+     * @param restToPresent the pose of that body, world mm
+     * @param other the index of the other body
+     */
+    public void begin(int body, Pose restToPresent, int other) {
+      pair = scene.pair(body, other);
+      boolean carriesPoints = pair.points == scene.mover(body);
+      Pose ofOther = scene.bodies().body(other).pose();
+      pair.points.toReference(carriesPoints ? restToPresent : ofOther, ofPoints);
+      ofVoxels.set(carriesPoints ? ofOther : restToPresent);
+      pair.levels.takeEdits();
+      pair.levels.body.toolToGrid(ofVoxels, ofPoints, toCells);
+      pair.levels.toCells(toCells, pair.levels.highest, toCells);
+      node = 0;
+      rows.begin();
+      answer = Answer.UNDECIDED;
+    }
+
+    /** {@return what the check has found so far} */
+    public Answer answer() {
+      return answer;
+    }
+
+    /**
+     * Goes on with the check. Looks at points first, then at enclosed voxels, as many as the check
+     * of a frame may.
+     *
+     * @param mostPoints the most points and nodes of their tree to look at, up to one leaf more
+     * @return the number of those that it looked at; {@code mostPoints} if it looked at voxels
+     */
+    public int goOn(int mostPoints) {
+      int looked = lookAtPoints(mostPoints);
+      if (answer != Answer.UNDECIDED || node < pair.points.shape.tree().nodes()) {
+        return looked;
+      }
+      if (!pair.enclosure().canEnclose()) {
+        answer = Answer.CLEAR;
+        return looked;
+      }
+      answer =
+          switch (pair.enclosure().examine(ofPoints, ofVoxels, rows)) {
+            case UNDECIDED -> Answer.UNDECIDED;
+            case NOTHING -> Answer.CLEAR;
+            case ENCLOSED -> Answer.BLOCKED;
+          };
+      return mostPoints;
+    }
+
+    private int lookAtPoints(int most) {
+      SphereTree tree = pair.points.shape.tree();
+      int looked = 0;
+      while (node < tree.nodes() && looked < most) {
+        looked++;
+        if (isEmptyAround(tree)) {
+          node = tree.skip(node);
+        } else if (tree.isLeaf(node)) {
+          looked += tree.end(node) - tree.first(node);
+          if (leafTouches(tree)) {
+            answer = Answer.BLOCKED;
+            return looked;
+          }
+          node = tree.skip(node);
+        } else {
+          node++;
+        }
+      }
+      return looked;
+    }
+
+    /** Whether all around the points of the present node is empty. */
+    private boolean isEmptyAround(SphereTree tree) {
+      position.set(tree.x(node), tree.y(node), tree.z(node));
+      toCells.transform(position, position);
+      double around = pair.levels.clearance.at(position.x, position.y, position.z);
+      return around > tree.radius(node) / pair.levels.cellMm + MARGIN_CELLS;
+    }
+
+    private boolean leafTouches(SphereTree tree) {
+      for (int n = tree.first(node); n < tree.end(node); n++) {
+        toCells.transform(pair.points.shape.point(n, position), position);
+        if (pair.levels.touchesHighest(position, caster)) {
+          return true;
+        }
+      }
+      return false;
+    }
   }
 }

@@ -169,6 +169,12 @@ final class ClearanceLevels {
     return caster.cast(cubes[level], ray, hit);
   }
 
+  /** Whether a place in the cells of the highest level touches that level. */
+  boolean touchesHighest(Vec3 place, ExactRayCaster caster) {
+    ray.from(place.x, place.y, place.z).to(place.x, place.y, place.z);
+    return caster.cast(cubes[highest], ray, hit);
+  }
+
   /** Applies the edits of the body since the last call. Several verifiers may share the levels. */
   void takeEdits() {
     long edits = body.edits();

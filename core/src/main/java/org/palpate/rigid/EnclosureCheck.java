@@ -32,10 +32,47 @@ final class EnclosureCheck {
   private final double reachMm;
   private final Vec3 p = new Vec3();
   private final IntBox around = new IntBox();
+  private final Rows rows = new Rows();
   private boolean isPending;
-  private int nextJ;
-  private int nextK;
   private int examined;
+
+  /** The finding of an examination so far. */
+  enum Found {
+    /** Nothing, but voxels are left. */
+    UNDECIDED,
+
+    /** No voxel is enclosed. */
+    NOTHING,
+
+    /** A voxel is enclosed. */
+    ENCLOSED
+  }
+
+  /** The row of voxels with which an examination goes on. */
+  static final class Rows {
+    private int nextJ;
+    private int nextK;
+
+    /** Begins with the first row. */
+    void begin() {
+      nextJ = 0;
+      nextK = 0;
+    }
+
+    /** Finds the next row of voxels that meets a box; false if there is none. */
+    private boolean find(IntBox box) {
+      if (nextK < box.lowZ) {
+        nextK = box.lowZ;
+        nextJ = box.lowY;
+      }
+      if (nextJ > box.highY) {
+        nextK++;
+        nextJ = box.lowY;
+      }
+      nextJ = Math.max(nextJ, box.lowY);
+      return !box.isEmpty() && nextK <= box.highZ;
+    }
+  }
 
   EnclosureCheck(BodyVerifier pair) {
     this.pair = pair;
@@ -71,8 +108,7 @@ final class EnclosureCheck {
   /** Begins the examination anew, because a solid may have passed between the points. */
   void begin() {
     setPending(canEnclose());
-    nextJ = 0;
-    nextK = 0;
+    rows.begin();
   }
 
   /** Whether the points have a clearance and a solid, so that they may enclose something. */
@@ -138,34 +174,31 @@ final class EnclosureCheck {
 
   /** Goes on with the examination. It begins anew if it finds that a solid is enclosed. */
   void continueCheck() {
-    examined = 0;
-    Pose ofPoints = pair.points.pose;
-    Pose ofBody = pair.solid.bodyPose();
-    setVoxelsAround(ofPoints, ofBody);
-    for (int rows = 0; rows < ROWS_PER_FRAME && examined < VOXELS_PER_FRAME; rows++) {
-      if (!findRow()) {
-        setPending(false);
-        return;
-      }
-      if (enclosesInRow(ofPoints, ofBody, nextJ++, nextK)) {
-        begin();
-        return;
-      }
+    Found found = examine(pair.points.pose, pair.solid.bodyPose(), rows);
+    if (found == Found.ENCLOSED) {
+      begin();
+    } else if (found == Found.NOTHING) {
+      setPending(false);
     }
   }
 
-  /** Finds the next row of voxels that meets the box around the solid; false if there is none. */
-  private boolean findRow() {
-    if (nextK < around.lowZ) {
-      nextK = around.lowZ;
-      nextJ = around.lowY;
+  /**
+   * Examines as many rows of voxels as a frame may.
+   *
+   * @param next the row with which it goes on; moved on
+   */
+  Found examine(Pose ofPoints, Pose ofBody, Rows next) {
+    examined = 0;
+    setVoxelsAround(ofPoints, ofBody);
+    for (int row = 0; row < ROWS_PER_FRAME && examined < VOXELS_PER_FRAME; row++) {
+      if (!next.find(around)) {
+        return Found.NOTHING;
+      }
+      if (enclosesInRow(ofPoints, ofBody, next.nextJ++, next.nextK)) {
+        return Found.ENCLOSED;
+      }
     }
-    if (nextJ > around.highY) {
-      nextK++;
-      nextJ = around.lowY;
-    }
-    nextJ = Math.max(nextJ, around.lowY);
-    return !around.isEmpty() && nextK <= around.highZ;
+    return Found.UNDECIDED;
   }
 
   private boolean enclosesInRow(Pose ofPoints, Pose ofBody, int j, int k) {

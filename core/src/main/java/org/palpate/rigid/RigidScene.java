@@ -6,10 +6,6 @@ import java.util.List;
 import java.util.Map;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
-import org.palpate.geometry.AffineMap;
-import org.palpate.geometry.Pose;
-import org.palpate.geometry.Vec3;
-import org.palpate.raycast.ExactRayCaster;
 import org.palpate.rigid.Mover.EditOutcome;
 import org.palpate.rigid.tool.RigidTool;
 
@@ -39,10 +35,6 @@ public final class RigidScene {
   private final List<BodyVerifier> examined = new ArrayList<>();
 
   private int nextExamined;
-  private final ExactRayCaster caster = new ExactRayCaster();
-  private final AffineMap toGrid = new AffineMap();
-  private final Pose ofPoints = new Pose();
-  private final Vec3 position = new Vec3();
 
   /** The number of edits of all bodies that {@link #takeEdits} has seen. */
   private long editsSeen;
@@ -176,28 +168,13 @@ public final class RigidScene {
     return verifiers[mover];
   }
 
-  /** Whether a body at a pose keeps clear of another one; see {@link BodyMover#keepsClear}. */
-  boolean keepsClear(int body, Pose restToPresent, int other) {
-    BodyVerifier pair = pairs[body][other];
-    boolean carriesPoints = pair.points == movers[body];
-    // Undo may have set this pose, and the mover not have taken it yet.
-    Pose ofOther = bodies.body(other).pose();
-    pair.points.toReference(carriesPoints ? restToPresent : ofOther, ofPoints);
-    return keepsClear(pair, carriesPoints ? ofOther : restToPresent);
+  Mover mover(int index) {
+    return movers[index];
   }
 
-  /** Whether all points of a pair keep their clearance if they are put somewhere. */
-  private boolean keepsClear(BodyVerifier pair, Pose ofVoxels) {
-    ClearanceLevels grown = pair.levels;
-    grown.takeEdits();
-    grown.body.toolToGrid(ofVoxels, ofPoints, toGrid);
-    for (int n = 0; n < pair.points.shape.count(); n++) {
-      pair.points.shape.point(n, position);
-      if (grown.freeLevel(position, toGrid, grown.highest, caster) < grown.highest) {
-        return false;
-      }
-    }
-    return !pair.enclosure().enclosesAny(ofPoints, ofVoxels);
+  /** Returns the verifier of two movers; null if neither can move. */
+  BodyVerifier pair(int one, int other) {
+    return pairs[one][other];
   }
 
   /**

@@ -26,6 +26,7 @@ class UndonePlacementTest extends HeldBlocks {
   private final EditQueue edits = EditQueue.ofBodies(bodies.grids());
   private final ToolFrame frame = newFrame(new ScriptedDevice(this::sample), bodies, edits, 10_000);
   private final Pose start = new Pose().set(block.pose());
+  private long refusedBefore;
 
   @Override
   ToolFrame frame() {
@@ -66,6 +67,17 @@ class UndonePlacementTest extends HeldBlocks {
     offer(HistoryEdit.undo());
     assertTrue(block.pose().sameBits(put), block.pose()::toString);
     assertEquals(1, frame.voxels().history().refused());
+  }
+
+  @Test
+  void aBodyThatWentAndCameBackToTheBitIsNotInTheWayThoughItIsNearerThanTheClearance() {
+    Pose smallAtStart = new Pose().set(small.pose());
+    placeBlockAbove();
+    moveSmallTo(24.5, 19, 8.5);
+    small.setPose(smallAtStart); // a program may set poses
+    offer(HistoryEdit.undo());
+    assertTrue(block.pose().sameBits(start), block.pose()::toString);
+    assertEquals(0, frame.voxels().history().refused());
   }
 
   @Test
@@ -135,6 +147,11 @@ class UndonePlacementTest extends HeldBlocks {
 
   private void offer(HistoryEdit edit) {
     assertTrue(edits.offer(edit));
-    run(1);
+    for (int n = 0; n < 20 && !edit.isDone(); n++) {
+      run(1);
+    }
+    assertTrue(edit.isDone());
+    assertEquals(refusedBefore + (edit.isRefused() ? 1 : 0), frame.voxels().history().refused());
+    refusedBefore = frame.voxels().history().refused();
   }
 }

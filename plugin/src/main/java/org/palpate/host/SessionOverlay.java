@@ -5,12 +5,18 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
+import org.palpate.edit.HistoryEdit;
+import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.LoopStatus;
 import org.palpate.scene.ChangedVoxels;
 import org.palpate.scene.MovableSlices;
+import org.palpate.scene.window.WindowInput;
 import org.palpate.volume.SegmentedVolume;
 
 /**
@@ -198,5 +204,61 @@ final class SessionOverlay {
 
   private static String format(String pattern, Object... values) {
     return String.format(Locale.ROOT, pattern, values);
+  }
+
+  /**
+   * The keys that undo and redo, and the lines that say why nothing happens. The window's thread
+   * presses the keys; the synchronization thread looks what became of them.
+   */
+  static final class UndoKeys {
+    private final TouchSession session;
+    private final Consumer<String> hint;
+
+    /** Requests that are not known to be done, the oldest first. */
+    private final Queue<HistoryEdit> asked = new ConcurrentLinkedQueue<>();
+
+    /**
+     * Creates the keys of a session.
+     *
+     * @param hint shows a line to the user for a few seconds
+     */
+    UndoKeys(TouchSession session, Consumer<String> hint) {
+      this.session = session;
+      this.hint = hint;
+    }
+
+    /** Adds the keys to a window, if the session has something to undo. */
+    void addTo(WindowInput input) {
+      if (session.cuts() || session.canHold()) {
+        input.onKey('e', "undo the last cut or placement", () -> ask(HistoryEdit.undo()));
+        input.onKey('y', "redo the last cut or placement", () -> ask(HistoryEdit.redo()));
+      }
+    }
+
+    private void ask(HistoryEdit edit) {
+      String name = name(edit);
+      if (!session.offer(edit)) {
+        hint.accept("too many edits wait: " + name + " again later");
+        return;
+      }
+      asked.add(edit);
+      if (session.toolFrame().map(ToolFrame::heldBody).orElse(-1) >= 0) {
+        hint.accept(name + " waits until you let go");
+      }
+    }
+
+    /** Says what was refused since the last call. */
+    void tick() {
+      while (!asked.isEmpty() && asked.peek().isDone()) {
+        HistoryEdit edit = asked.remove();
+        if (edit.isRefused()) {
+          hint.accept(name(edit) + " refused: a body has come there since");
+        }
+      }
+    }
+
+    private static String name(HistoryEdit edit) {
+      return edit.isUndo() ? "undo" : "redo";
+    }
   }
 }

@@ -77,6 +77,7 @@ public final class SessionView implements AutoCloseable {
   private final SceneModel model;
   private final List<Vec3> toolPoints;
   private final SessionOverlay overlay;
+  private final SessionOverlay.UndoKeys undoKeys;
   private final Optional<WorkspaceDevice> followsView;
   private final SceneSynchronizer synchronizer;
   private final SynchronizationThread synchronization;
@@ -156,6 +157,7 @@ public final class SessionView implements AutoCloseable {
             ? Optional.of(mapped)
             : Optional.empty();
     overlay = new SessionOverlay(session, device, slices, threshold);
+    undoKeys = new SessionOverlay.UndoKeys(session, overlay::hint);
     synchronizer =
         new SceneSynchronizer(
             session.properties(),
@@ -181,6 +183,7 @@ public final class SessionView implements AutoCloseable {
 
   private void tick() {
     followsView.ifPresent(this::followView);
+    undoKeys.tick();
     if (synchronizer.applications() > 0 && session.properties().touch().contact()) {
       touched.refresh();
       overlay.touches(touched.firstName(proxyGrid, deviceGrid));
@@ -258,10 +261,7 @@ public final class SessionView implements AutoCloseable {
       input.onKey('4', "ghosts: where bodies started", () -> solids.toggleGhosts(loader));
       input.onKey('x', "take hold of the touched body, or let go", session::toggleHold);
     }
-    if (session.cuts() || session.canHold()) {
-      input.onKey('e', "undo the last cut or placement", session::undo);
-      input.onKey('y', "redo the last cut or placement", session::redo);
-    }
+    undoKeys.addTo(input);
     MouseTakeover.mouseOf(device).ifPresent(mouse -> addMouse(input, mouse));
     if (device instanceof WorkspaceDevice mapped) {
       input.onKey(

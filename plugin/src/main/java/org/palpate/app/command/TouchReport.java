@@ -139,6 +139,9 @@ final class TouchReport {
             loop.granted().schedulingClass()));
     out.println(lateness(loop.latenessMicros()));
     session.elastic().ifPresent(body -> out.println(ElasticFields.line(body.counters())));
+    if (undosRefused() > 0) {
+      out.println("undo refused: a body has come there since (" + undosRefused() + " times)");
+    }
     loop.granted().refusals().forEach(refusal -> out.println("real time: " + refusal));
     out.flush();
   }
@@ -173,6 +176,11 @@ final class TouchReport {
     return FaultFields.ofTool(loop.statistics().faults());
   }
 
+  /** Returns how often undo or redo of a placement was refused. */
+  private long undosRefused() {
+    return session.toolFrame().map(frame -> frame.voxels().history().refused()).orElse(0L);
+  }
+
   /** Adds the fields of a session to a report. */
   void putInto(Report report) {
     FrameStatistics counts = loop.statistics();
@@ -201,7 +209,8 @@ final class TouchReport {
   }
 
   /**
-   * Adds when the force was switched on, and when the hand first held a body if it can hold one.
+   * Adds when the force was switched on. If the hand can hold bodies, also when it first held one,
+   * and how often undo was refused.
    */
   private void putStart(Report report, FrameStatistics counts) {
     OptionalLong forceOn = supervisor.forceOnMillis();
@@ -213,6 +222,7 @@ final class TouchReport {
           forceOn.isPresent() && hold.isPresent()
               ? secondsFromStart(forceOn.getAsLong()) + secondsOf(hold.getAsLong())
               : null);
+      report.put("undos_refused", undosRefused());
     }
   }
 
