@@ -71,6 +71,20 @@ public final class Matrix4 {
         0);
   }
 
+  /**
+   * Returns this projection, after which a part of the picture fills the whole of it.
+   *
+   * @param x the middle of the part, -1 at the left edge of the picture, 1 at the right edge
+   * @param y the same from the lower to the upper edge
+   * @param width the width of the picture in widths of the part
+   * @param height its height in heights of the part
+   */
+  public Matrix4 zoomed(double x, double y, double width, double height) {
+    Matrix4 zoom =
+        new Matrix4(width, 0, 0, 0, 0, height, 0, 0, 0, 0, 1, 0, -x * width, -y * height, 0, 1);
+    return zoom.times(this);
+  }
+
   /** Returns the product of this and {@code first}, which is applied first. */
   public Matrix4 times(Matrix4 first) {
     double[] product = new double[16];

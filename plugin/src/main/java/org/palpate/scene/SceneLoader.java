@@ -147,7 +147,7 @@ public final class SceneLoader implements AutoCloseable {
     List<RigidTransform> atRest =
         Collections.nCopies(shown.segments().size(), RigidTransform.identity());
     SceneLoader faint = new SceneLoader(model, shown, List.of(), atRest, threads, !refined);
-    faint.objects.forEach(object -> model.setOpacity(object, SceneModel.GHOST_OPACITY));
+    faint.objects.forEach(model::makeGhost);
     ghosts = Optional.of(faint);
   }
 

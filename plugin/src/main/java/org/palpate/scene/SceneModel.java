@@ -171,6 +171,17 @@ public final class SceneModel {
         true);
   }
 
+  /** Makes a segment a ghost: it is drawn faintly, and the mouse does not meet it. */
+  void makeGhost(SceneObject object) {
+    change(
+        () -> {
+          object.opacity = GHOST_OPACITY;
+          object.isGhost = true;
+          return true;
+        },
+        true);
+  }
+
   /** Sets the opacity of a segment: 1 is opaque, 0 hides it. */
   public void setOpacity(SceneObject object, double opacity) {
     change(
@@ -376,10 +387,12 @@ public final class SceneModel {
     for (SceneObject object : objects) {
       if (object.visible && object.opacity > 0) {
         Optional<SurfaceTint> tint = Optional.ofNullable(object.tint);
-        drawn.add(new DrawnObject(object, object.rgb, object.opacity, object.pose, tint));
+        drawn.add(
+            new DrawnObject(object, object.rgb, object.opacity, object.pose, tint, object.isGhost));
         if (object.ghost != null) {
           drawn.add(
-              new DrawnObject(object, object.rgb, GHOST_OPACITY, object.ghost, Optional.empty()));
+              new DrawnObject(
+                  object, object.rgb, GHOST_OPACITY, object.ghost, Optional.empty(), true));
         }
       }
     }

@@ -26,6 +26,9 @@ public final class SceneObject {
   boolean visible = true;
   RigidTransform pose;
 
+  /** Whether it is a ghost itself, which the mouse does not meet. */
+  boolean isGhost;
+
   /** The pose at which a faint copy is drawn, or null. */
   RigidTransform ghost;
 

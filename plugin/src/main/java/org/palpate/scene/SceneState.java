@@ -50,6 +50,11 @@ public record SceneState(
     legend = List.copyOf(legend);
   }
 
+  /** Whether a ghost is drawn. */
+  public boolean hasGhosts() {
+    return objects.stream().anyMatch(DrawnObject::isGhost);
+  }
+
   /** Returns where a point of a drawn surface is without the deformation, scene frame. */
   public Vec3 atRest(Vec3 presentMm) {
     if (deformation.isEmpty() || objects.isEmpty()) {
@@ -66,13 +71,15 @@ public record SceneState(
    *
    * @param pose transform from grid mm to the scene frame
    * @param tint colours a part of the surface
+   * @param isGhost whether it is a ghost, which the mouse does not meet
    */
   public record DrawnObject(
       SceneObject object,
       int rgb,
       double opacity,
       RigidTransform pose,
-      Optional<SurfaceTint> tint) {}
+      Optional<SurfaceTint> tint,
+      boolean isGhost) {}
 
   /**
    * A segment in the legend.

@@ -75,14 +75,7 @@ final class ObjectPainter {
   void draw(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 projection) {
     drawnTriangles = 0;
     allTriangles = state.objects().stream().mapToLong(o -> finestTriangles(o.object())).sum();
-    program.use(gl);
-    program.set(gl, "projection", projection);
-    setClip(gl, state, toEye);
-    deformation = texture.use(gl, program, state.deformation());
-    setDeformationColour(gl, state.look().deformed());
-    gl.glEnable(GL.GL_DEPTH_TEST);
-    gl.glDepthFunc(GL.GL_LESS);
-    gl.glDepthMask(true);
+    begin(gl, state, toEye, projection);
     List<DrawnObject> transparent = new ArrayList<>();
     for (DrawnObject object : state.objects()) {
       if (object.opacity() >= 1) {
@@ -93,6 +86,31 @@ final class ObjectPainter {
     }
     transparent.sort(Comparator.comparingDouble(o -> depth(o, toEye)));
     transparent.forEach(object -> drawTransparent(gl, state, object, toEye, projection));
+  }
+
+  /** Draws only what the mouse may meet, which is all but ghosts, as if it were opaque. */
+  void drawWithoutGhosts(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 projection) {
+    long drawnBefore = drawnTriangles;
+    long culledBefore = culledMeshes;
+    begin(gl, state, toEye, projection);
+    for (DrawnObject object : state.objects()) {
+      if (!object.isGhost()) {
+        drawObject(gl, state, object, toEye, projection);
+      }
+    }
+    drawnTriangles = drawnBefore;
+    culledMeshes = culledBefore;
+  }
+
+  private void begin(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 projection) {
+    program.use(gl);
+    program.set(gl, "projection", projection);
+    setClip(gl, state, toEye);
+    deformation = texture.use(gl, program, state.deformation());
+    setDeformationColour(gl, state.look().deformed());
+    gl.glEnable(GL.GL_DEPTH_TEST);
+    gl.glDepthFunc(GL.GL_LESS);
+    gl.glDepthMask(true);
   }
 
   /** Sets the value that colours deformed surfaces; the program knows measures by number. */

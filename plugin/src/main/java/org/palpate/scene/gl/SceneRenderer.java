@@ -29,6 +29,10 @@ public final class SceneRenderer {
   private final GlFramebuffer[] staticPictures = new GlFramebuffer[EYES];
   private final long[] staticRevision = {-1, -1};
   private GlFramebuffer composed;
+
+  /** A picture of one pixel without ghosts. */
+  private GlFramebuffer picked;
+
   private GlProgram background;
   private GlProgram present;
   private ObjectPainter objects;
@@ -71,6 +75,7 @@ public final class SceneRenderer {
     overlay = new OverlayPainter(gl);
     slices = new SlicePainter(gl, deformation);
     composed = new GlFramebuffer();
+    picked = new GlFramebuffer();
     emptyArray = new int[1];
     gl.glGenVertexArrays(1, emptyArray, 0);
     for (int eye = 0; eye < EYES; eye++) {
@@ -212,8 +217,9 @@ public final class SceneRenderer {
   }
 
   /**
-   * Finds the point that a pixel shows, counted from the upper left of the window. Side by side, it
-   * is what the eye of that half sees; in other stereo modes what the left eye sees.
+   * Finds the point that a pixel shows, counted from the upper left of the window. Ghosts are left
+   * out. Side by side, it is what the eye of that half sees; in other stereo modes what the left
+   * eye sees.
    *
    * @return the point; empty if there is no surface
    */
@@ -228,15 +234,40 @@ public final class SceneRenderer {
       return Optional.empty();
     }
     double across = (rightHalf ? x - eyeWidth : x) + PIXEL_CENTRE;
-    double depth = depth(gl, picture, across * scale, (height - PIXEL_CENTRE - y) * scale);
-    if (!(depth < 1)) {
-      return Optional.empty();
-    }
     double aspect = (double) eyeWidth / height;
     double right = 2 * across / eyeWidth - 1;
     double up = 1 - 2 * (y + PIXEL_CENTRE) / height;
+    double depth;
+    if (state.hasGhosts()) {
+      Camera camera = state.camera();
+      Matrix4 projection = camera.perspective(eye, aspect, state.middle(), state.radiusMm());
+      Matrix4 ofPixel = projection.zoomed(right, up, eyeWidth, height);
+      depth = depthWithoutGhosts(gl, state, camera.view(eye), ofPixel);
+    } else {
+      depth = depth(gl, picture, across * scale, (height - PIXEL_CENTRE - y) * scale);
+    }
+    if (!(depth < 1)) {
+      return Optional.empty();
+    }
     Vec3 surface = Unprojection.toScene(state, eye, aspect, right, up, depth, new Vec3());
     return Optional.of(new PickedPoint(surface, state.camera().eye(eye)));
+  }
+
+  /** Draws one pixel without ghosts and returns its depth. Bricks beside it are left out. */
+  private double depthWithoutGhosts(GL3 gl, SceneState state, Matrix4 toEye, Matrix4 ofPixel) {
+    int[] target = new int[1];
+    gl.glGetIntegerv(GL2ES2.GL_DRAW_FRAMEBUFFER_BINDING, target, 0);
+    picked.resize(gl, 1, 1);
+    picked.bind(gl);
+    gl.glDepthMask(true);
+    gl.glClear(GL.GL_DEPTH_BUFFER_BIT);
+    gl.glEnable(GL.GL_DEPTH_TEST);
+    slices.draw(gl, state, toEye, ofPixel);
+    objects.drawWithoutGhosts(gl, state, toEye, ofPixel);
+    double depth = depth(gl, picked, 0, 0);
+    gl.glBindFramebuffer(GL.GL_FRAMEBUFFER, target[0]);
+    gl.glUseProgram(0);
+    return depth;
   }
 
   private static int eyeWidth(Stereo stereo, int width) {
@@ -262,6 +293,7 @@ public final class SceneRenderer {
     slices.dispose(gl);
     deformation.dispose(gl);
     composed.dispose(gl);
+    picked.dispose(gl);
     for (GlFramebuffer target : staticPictures) {
       target.dispose(gl);
     }

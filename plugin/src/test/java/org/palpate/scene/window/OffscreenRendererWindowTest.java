@@ -373,6 +373,61 @@ class OffscreenRendererWindowTest {
     assertTrue(differing(shown, opaque, 0, HEIGHT / 2, WIDTH, HEIGHT) > 1000, "it is faint");
   }
 
+  @ParameterizedTest
+  @EnumSource(
+      value = Stereo.class,
+      names = {"OFF", "SIDE_BY_SIDE"})
+  void aPickedPixelIsThatOfTheSegmentBehindGhosts(Stereo stereo) throws Exception {
+    RigidTransform nearer = RigidTransform.identity();
+    nearer.origin().set(0, -EDGE, 0);
+    SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
+    try (SceneLoader loader = new SceneLoader(model, volume(RigidTransform.identity()), 1)) {
+      loader.addGhosts(volume(nearer));
+      loader.await(60_000);
+    }
+    model.look(StandardView.FRONT, 4.0 / 3);
+    model.changeLook(look -> look.with(stereo));
+    List<Optional<PickedPoint>> withGhosts = picks(model);
+    model.setGhost(model.objects().get(0), Optional.of(nearer));
+    List<Optional<PickedPoint>> withStartingPose = picks(model);
+    model.setGhost(model.objects().get(0), Optional.empty());
+    model.setVisible(model.objects().get(2), false);
+    model.setVisible(model.objects().get(3), false);
+    List<Optional<PickedPoint>> without = picks(model);
+    assertSamePoints(without, withGhosts);
+    assertSamePoints(without, withStartingPose);
+  }
+
+  private List<Optional<PickedPoint>> picks(SceneModel model) throws Exception {
+    scene.draw(model.state());
+    List<Optional<PickedPoint>> picks = new ArrayList<>();
+    for (int x = 3; x < WIDTH; x += 6) {
+      for (int y = 3; y < HEIGHT; y += 6) {
+        picks.add(scene.pick(model.state(), x, y));
+      }
+    }
+    return picks;
+  }
+
+  /** Checks that all points agree but those of pixels at edges, which lie elsewhere in a pixel. */
+  private static void assertSamePoints(
+      List<Optional<PickedPoint>> expected, List<Optional<PickedPoint>> found) {
+    int met = 0;
+    int differing = 0;
+    for (int n = 0; n < expected.size(); n++) {
+      Optional<PickedPoint> one = expected.get(n);
+      Optional<PickedPoint> other = found.get(n);
+      met += one.isPresent() ? 1 : 0;
+      boolean isSame =
+          one.isPresent() == other.isPresent()
+              && (one.isEmpty()
+                  || one.get().surfaceMm().sub(other.get().surfaceMm(), new Vec3()).length() < 0.2);
+      differing += isSame ? 0 : 1;
+    }
+    assertTrue(met > 100, "met " + met);
+    assertTrue(differing <= met / 50, differing + " of " + met + " differ");
+  }
+
   @Test
   void anEditAppearsInTheNextPicture() throws Exception {
     SegmentedVolume volume = volume(RigidTransform.identity());
