@@ -61,6 +61,8 @@ class ScanSmoothnessTest {
           smoothness.change() < 0.2 && smoothness.change() < guarded.change() / 10,
           smoothness::toString);
       assertTrue(smoothness.worstChange() < 1, smoothness::toString);
+      assertTrue(smoothness.turnDegrees() < 0.4, smoothness::toString);
+      assertTrue(smoothness.worstTurnDegrees() < 1.2, smoothness::toString);
       assertTrue(smoothness.stuckMm() < 0.4, smoothness::toString);
       assertTrue(smoothness.asymmetry() < 0.03, smoothness::toString);
     }
@@ -77,9 +79,12 @@ class ScanSmoothnessTest {
   private static String line(SlideSmoothness smoothness) {
     return String.format(
         Locale.ROOT,
-        "change %.2f, worst %.1f, stuck for %.1f mm, asymmetry %.1f %%, contact %.0f %%",
+        "change %.2f, worst %.1f, turn %.2f, worst %.1f degrees, stuck for %.1f mm, asymmetry %.1f"
+            + " %%, contact %.0f %%",
         smoothness.change(),
         smoothness.worstChange(),
+        smoothness.turnDegrees(),
+        smoothness.worstTurnDegrees(),
         smoothness.stuckMm(),
         100 * smoothness.asymmetry(),
         100 * smoothness.contactFraction());

@@ -1,6 +1,7 @@
 package org.palpate.accuracy;
 
 import java.util.List;
+import org.palpate.benchmarks.accuracy.AccuracyMeter;
 import org.palpate.collision.CollisionScene;
 import org.palpate.force.ContactForce;
 import org.palpate.force.ForceSettings;
@@ -16,6 +17,8 @@ import org.palpate.volume.BitCube;
  *
  * @param change root mean square of the force's change per frame, relative to the device's motion
  * @param worstChange the largest such ratio
+ * @param turnDegrees root mean square angle between the forces of successive frames
+ * @param worstTurnDegrees the largest such angle
  * @param stuckMm the longest motion of the device in which the point stayed within a tenth of a
  *     voxel
  * @param asymmetry root mean square difference of the forces in both directions at the same device
@@ -23,7 +26,13 @@ import org.palpate.volume.BitCube;
  * @param contactFraction the fraction of frames with contact
  */
 record SlideSmoothness(
-    double change, double worstChange, double stuckMm, double asymmetry, double contactFraction) {
+    double change,
+    double worstChange,
+    double turnDegrees,
+    double worstTurnDegrees,
+    double stuckMm,
+    double asymmetry,
+    double contactFraction) {
 
   /** Frames at either end that are not compared, because the point still approaches. */
   private static final int SETTLING = 60;
@@ -52,6 +61,8 @@ record SlideSmoothness(
     private double squaredChange;
     private double squaredMotion;
     private double worst;
+    private double squaredTurn;
+    private double worstTurn;
     private int contacts;
     private int frames;
 
@@ -78,6 +89,8 @@ record SlideSmoothness(
       return new SlideSmoothness(
           Math.sqrt(squaredChange / squaredMotion),
           worst,
+          Math.sqrt(squaredTurn / frames),
+          worstTurn,
           stuckMm,
           asymmetry(there, back),
           contacts / (double) frames);
@@ -102,6 +115,9 @@ record SlideSmoothness(
       squaredChange += change * change;
       squaredMotion += motionMm * motionMm;
       worst = Math.max(worst, motionMm > 0 ? change / motionMm : 0);
+      double turn = turnDegrees();
+      squaredTurn += turn * turn;
+      worstTurn = Math.max(worstTurn, turn);
       Vec3 p = point.position;
       double from = metric.distance(stuckAt.x, stuckAt.y, stuckAt.z, p.x, p.y, p.z);
       if (from < STUCK_VOXELS * metric.shortestEdgeMm()) {
@@ -111,6 +127,13 @@ record SlideSmoothness(
         stillMm = 0;
       }
       stuckMm = Math.max(stuckMm, stillMm);
+    }
+
+    private double turnDegrees() {
+      double length = lastForce.length();
+      return length > 0
+          ? AccuracyMeter.angleDegrees(force, lastForce.mul(1 / length, new Vec3()))
+          : 0;
     }
 
     private static double asymmetry(Vec3[] there, Vec3[] back) {

@@ -22,6 +22,7 @@ import org.palpate.volume.phantom.Phantom;
 /** Bounds the errors of the smooth solver's force, which do not depend on the machine. */
 class SmoothAccuracyTest {
   private static final int EDGE = 192;
+  private static final int LARGE_EDGE = 256;
   private static final int FRAMES = 4000;
   private static final long SEED = 7;
   private static final Vec3 CUBES = new Vec3(1, 1, 1);
@@ -53,6 +54,20 @@ class SmoothAccuracyTest {
         check(measure("torus", depth, speed), deep ? 1.25 : 1, deep ? 7 : 5.2, 0.06, 0.02);
       }
     }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"plane, 0.35, 0.8, 0.02", "sphere, 0.9, 3.7, 0.04", "torus, 0.8, 4.5, 0.05"})
+  void widerTerracesOfALargeSurfaceAreFeltNoMore(
+      String shape, double rms, double worst, double heightStd) {
+    Phantom large = Phantom.parse(shape + ":" + LARGE_EDGE);
+    BitCube bits = large.segments().segments().get(0).bits();
+    AnalyticSurface truth = large.analyticSurface().orElseThrow();
+    SlideTrajectory slide = new SlideTrajectory(truth, LARGE_EDGE, 5, 0.3, FRAMES, SEED);
+    Accuracy accuracy =
+        new AccuracyMeter(truth, GridMetric.of(CUBES), slide, 5)
+            .measure(new SmoothSolver(GridMetric.of(CUBES), 8), new CollisionScene(List.of(bits)));
+    check(accuracy, rms, worst, heightStd, 0.02);
   }
 
   @Test
@@ -151,6 +166,26 @@ class SmoothAccuracyTest {
     check(measureSampled("plane", spacing, 5, 0.3), 1.7, 3.5, 0.07, 0.02);
     check(measureSampled("sphere", spacing, 5, 0.3), 2.8, 11, 0.17, 0.03);
     check(measureSampled("torus", spacing, 5, 0.3), 4.6, 17, 0.26, 0.03);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "1, 1, 10, sphere, 2.8, 9, 0.45, 0.06",
+    "1, 1, 10, torus, 7, 13, 0.75, 0.09",
+    "1, 5, 5, plane, 3.2, 6.8, 0.12, 0.04",
+    "1, 5, 5, sphere, 4.2, 18, 0.27, 0.06",
+    "1, 5, 5, torus, 7, 18, 0.38, 0.06"
+  })
+  void veryLongVoxelsTiltTheForceByAFewDegrees(
+      double x,
+      double y,
+      double z,
+      String shape,
+      double rms,
+      double worst,
+      double heightStd,
+      double lagOff) {
+    check(measureSampled(shape, new Vec3(x, y, z), 5, 0.3), rms, worst, heightStd, lagOff);
   }
 
   @ParameterizedTest

@@ -39,18 +39,23 @@ class ThinnedScanTest {
 
   @ParameterizedTest
   @CsvSource({
-    "labels/Skull.nrrd, nonzero, 2, 1.5, 20",
-    "labels/Skull.nrrd, nonzero, 3, 2.5, 35",
-    "labels/Skull.nrrd, nonzero, 5, 4, 40",
-    "labels/HN-Atlas-labels.nrrd, nonzero, 2, 4, 30",
-    "labels/HN-Atlas-labels.nrrd, nonzero, 3, 7, 45",
-    "labels/HN-Atlas-labels.nrrd, nonzero, 5, 13, 60",
-    "LIDC/LIDC-IDRI-0314_bone200_u8gz.nrrd, nonzero, 2, 1.5, 20",
-    "LIDC/LIDC-IDRI-0314_bone200_u8gz.nrrd, nonzero, 3, 2.5, 35",
-    "LIDC/LIDC-IDRI-0314_bone200_u8gz.nrrd, nonzero, 5, 4.5, 40"
+    "labels/Skull.nrrd, nonzero, 2, 1.5, 20, 95",
+    "labels/Skull.nrrd, nonzero, 3, 2.5, 35, 115",
+    "labels/Skull.nrrd, nonzero, 5, 4, 40, 117",
+    "labels/HN-Atlas-labels.nrrd, nonzero, 2, 4, 30, 95",
+    "labels/HN-Atlas-labels.nrrd, nonzero, 3, 7, 45, 122",
+    "labels/HN-Atlas-labels.nrrd, nonzero, 5, 13, 60, 135",
+    "LIDC/LIDC-IDRI-0314_bone200_u8gz.nrrd, nonzero, 2, 1.5, 20, 105",
+    "LIDC/LIDC-IDRI-0314_bone200_u8gz.nrrd, nonzero, 3, 2.5, 35, 120",
+    "LIDC/LIDC-IDRI-0314_bone200_u8gz.nrrd, nonzero, 5, 4.5, 40, 124"
   })
   void theForceOnFewerSlicesIsNearlyThatOnAll(
-      String file, String segment, int every, double median, double percentile90)
+      String file,
+      String segment,
+      int every,
+      double median,
+      double percentile90,
+      double percentile99)
       throws IOException {
     SegmentedVolume volume =
         SegmentBuilder.read(
@@ -71,6 +76,7 @@ class ThinnedScanTest {
         at(angles, 0.99));
     assertTrue(at(angles, 0.5) <= median, () -> "median " + at(angles, 0.5));
     assertTrue(at(angles, 0.9) <= percentile90, () -> "90 % " + at(angles, 0.9));
+    assertTrue(at(angles, 0.99) <= percentile99, () -> "99 % " + at(angles, 0.99));
   }
 
   private static double at(double[] sorted, double fraction) {

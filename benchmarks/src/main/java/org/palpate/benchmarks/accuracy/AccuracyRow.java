@@ -7,6 +7,7 @@ import java.util.List;
  *
  * @param solver the solver with its collision method
  * @param shape the phantom
+ * @param edge the edge of the cube that the phantom fills, mm
  * @param spacing the edges of a voxel, mm, as 1:1:3
  * @param depth the depth of the device, voxels
  * @param speed the speed of the device, voxels per frame
@@ -16,6 +17,7 @@ import java.util.List;
 record AccuracyRow(
     String solver,
     String shape,
+    int edge,
     String spacing,
     double depth,
     double speed,
@@ -26,6 +28,7 @@ record AccuracyRow(
   List<Object> cells() {
     return List.of(
         shape,
+        edge,
         spacing,
         depth,
         speed,
@@ -40,8 +43,10 @@ record AccuracyRow(
         nanosPerFrame);
   }
 
-  /** Returns the solver, with the edges of a voxel if these are no cubes. */
+  /** Returns the solver, with the size of the phantom and the edges of a voxel if they differ. */
   String series() {
-    return spacing.equals(AccuracyStudy.CUBES) ? solver : solver + ", voxels of " + spacing;
+    String size = edge == AccuracyStudy.EDGE ? "" : ", " + edge + " mm";
+    String voxels = spacing.equals(AccuracyStudy.CUBES) ? "" : ", voxels of " + spacing;
+    return solver + size + voxels;
   }
 }

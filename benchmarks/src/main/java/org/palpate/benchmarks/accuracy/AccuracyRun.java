@@ -52,7 +52,9 @@ public final class AccuracyRun {
     AccuracyPlots.plotFront(
         file,
         "Run time against error of the force, for every shape, depth and speed" + voxels(spacing),
-        rows.stream().filter(row -> row.spacing().equals(spacing)).toList());
+        rows.stream()
+            .filter(row -> row.edge() == AccuracyStudy.EDGE && row.spacing().equals(spacing))
+            .toList());
   }
 
   /** Returns the edges of a voxel as the end of a title; nothing if voxels are cubes. */
@@ -63,8 +65,9 @@ public final class AccuracyRun {
   private static void print(List<AccuracyRow> rows, PrintWriter out) {
     out.printf(
         Locale.ROOT,
-        "%-8s %7s %5s %5s  %-19s %8s %7s %7s %6s %7s %5s %9s%n",
+        "%-8s %4s %7s %5s %5s  %-19s %8s %7s %7s %6s %7s %5s %9s%n",
         "shape",
+        "edge",
         "spacing",
         "depth",
         "speed",
@@ -80,8 +83,9 @@ public final class AccuracyRun {
       Accuracy a = row.accuracy();
       out.printf(
           Locale.ROOT,
-          "%-8s %7s %5.1f %5.2f  %-19s %8.2f %7.1f %7.3f %6.3f %7.2f %5d %9.0f%n",
+          "%-8s %4d %7s %5.1f %5.2f  %-19s %8.2f %7.1f %7.3f %6.3f %7.2f %5d %9.0f%n",
           row.shape(),
+          row.edge(),
           row.spacing(),
           row.depth(),
           row.speed(),

@@ -15,6 +15,9 @@ import org.palpate.volume.phantom.Phantom;
  * value is the mean over its voxel.
  */
 final class AccuracyScene {
+  /** The edge of the cube that the phantom fills, mm. */
+  final int edge;
+
   final AnalyticSurface truth;
   final GridMetric metric;
   final BitCube bits;
@@ -33,6 +36,7 @@ final class AccuracyScene {
    * @param spacingMm the edges of a voxel
    */
   AccuracyScene(String kind, int edge, Vec3 spacingMm) {
+    this.edge = edge;
     truth = Phantom.parse(kind + ":" + edge).analyticSurface().orElseThrow();
     metric = GridMetric.of(spacingMm);
     bits = SampledSolids.of(truth, edge, spacingMm);

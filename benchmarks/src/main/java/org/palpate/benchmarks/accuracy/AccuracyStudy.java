@@ -18,7 +18,12 @@ final class AccuracyStudy {
   /** Processor time is used because other processes may use the machine too. */
   private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-  private static final int EDGE = 192;
+  /** The edge of the cube that a phantom fills, mm. */
+  static final int EDGE = 192;
+
+  /** The same for cubes whose surface has wider terraces. */
+  private static final int LARGE_EDGE = 256;
+
   private static final long SEED = 7;
   private static final int ROUNDS = 7;
   private static final int WARM_UP_ROUNDS = 2;
@@ -32,6 +37,9 @@ final class AccuracyStudy {
           CUBES, "1:1:1.2", "1:1:1.4", "1:1:2", "1:1:3", "1:1:5", "1:1:8", "1:1:10", "1:2:2",
           "1:3:3");
 
+  private static final double USUAL_DEPTH = 5;
+  private static final double USUAL_SPEED = 0.3;
+
   private final double[] depths;
   private final double[] speeds;
   private final int frames;
@@ -39,8 +47,8 @@ final class AccuracyStudy {
 
   /** Creates a study; {@code quick} uses one depth, one speed and fewer frames. */
   AccuracyStudy(boolean quick, Consumer<String> progress) {
-    depths = quick ? new double[] {5} : new double[] {2, 5, 10};
-    speeds = quick ? new double[] {0.3} : new double[] {0.05, 0.3, 2};
+    depths = quick ? new double[] {USUAL_DEPTH} : new double[] {2, USUAL_DEPTH, 10};
+    speeds = quick ? new double[] {USUAL_SPEED} : new double[] {0.05, USUAL_SPEED, 2};
     frames = quick ? 3000 : 20000;
     this.progress = progress;
   }
@@ -53,18 +61,14 @@ final class AccuracyStudy {
         AccuracyScene scene = scene(shape, spacing);
         for (double depth : depths) {
           for (double speed : speeds) {
-            progress.accept(
-                String.format(
-                    Locale.ROOT,
-                    "%s, voxels of %s mm, %s mm deep, %s mm per frame",
-                    shape,
-                    spacing,
-                    depth,
-                    speed));
             rows.addAll(slide(scene, shape, spacing, depth, speed));
           }
         }
       }
+    }
+    for (String shape : SHAPES) {
+      AccuracyScene large = new AccuracyScene(shape, LARGE_EDGE, new Vec3(1, 1, 1));
+      rows.addAll(slide(large, shape, CUBES, USUAL_DEPTH, USUAL_SPEED));
     }
     return rows;
   }
@@ -81,9 +85,21 @@ final class AccuracyStudy {
 
   private List<AccuracyRow> slide(
       AccuracyScene scene, String shape, String spacing, double depth, double speed) {
-    SlideTrajectory slide = new SlideTrajectory(scene.truth, EDGE, depth, speed, frames, SEED);
+    progress.accept(
+        String.format(
+            Locale.ROOT,
+            "%s:%d, voxels of %s mm, %s mm deep, %s mm per frame",
+            shape,
+            scene.edge,
+            spacing,
+            depth,
+            speed));
+    SlideTrajectory slide =
+        new SlideTrajectory(scene.truth, scene.edge, depth, speed, frames, SEED);
     List<ComparedSolver> solvers =
-        spacing.equals(CUBES) ? ComparedSolver.all(scene) : ComparedSolver.ours(scene);
+        spacing.equals(CUBES) && scene.edge == EDGE
+            ? ComparedSolver.all(scene)
+            : ComparedSolver.ours(scene);
     double[] nanos = times(scene, solvers, slide);
     List<AccuracyRow> rows = new ArrayList<>();
     for (int n = 0; n < solvers.size(); n++) {
@@ -91,7 +107,9 @@ final class AccuracyStudy {
       Accuracy accuracy =
           new AccuracyMeter(scene.truth, scene.metric, slide, depth)
               .measure(one.solver(), one.scene());
-      rows.add(new AccuracyRow(one.name(), shape, spacing, depth, speed, accuracy, nanos[n]));
+      rows.add(
+          new AccuracyRow(
+              one.name(), shape, scene.edge, spacing, depth, speed, accuracy, nanos[n]));
     }
     return rows;
   }

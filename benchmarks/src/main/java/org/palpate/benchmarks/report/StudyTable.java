@@ -18,8 +18,8 @@ public enum StudyTable {
   /** Errors of forces on analytic surfaces. */
   ACCURACY(
       "accuracy.csv",
-      "shape,spacing_mm,depth_voxels,speed_voxels,solver,angle_rms_deg,angle_worst_deg,height_mean_mm,"
-          + "height_std_mm,lag,force_change,lost_frames,ns_per_frame"),
+      "shape,edge_mm,spacing_mm,depth_voxels,speed_voxels,solver,angle_rms_deg,angle_worst_deg,"
+          + "height_mean_mm,height_std_mm,lag,force_change,lost_frames,ns_per_frame"),
   /** Distances beyond the nearest free point. */
   NEAREST(
       "nearest.csv", "shape,depth_voxels,solver,mean_excess_voxels,worst_excess_voxels,presses"),
