@@ -145,7 +145,8 @@ public final class GuidedHand implements HapticDevice {
 
   /**
    * Lets the hand begin on the way from a stop to the next, with the motion and the tremor that it
-   * has there after the way from the first one. Call it before the first {@link #read}.
+   * has there after the way from the first one. Call it before the first {@link #read}. A hand that
+   * is closed does not move.
    *
    * @param index of a stop; the hand holds nothing on the way there
    * @param mm the distance from the next stop at which it begins; it begins at the stop itself if
@@ -153,7 +154,7 @@ public final class GuidedHand implements HapticDevice {
    */
   public void beginAfter(int index, double mm) {
     DeviceState unseen = new DeviceState();
-    while (!hasArrived() && (stop < index || (stop == index && isFartherFromNext(mm)))) {
+    while (!closed && !hasArrived() && (stop < index || (stop == index && isFartherFromNext(mm)))) {
       read(unseen);
     }
     skippedReads = reads;

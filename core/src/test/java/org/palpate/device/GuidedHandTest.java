@@ -2,8 +2,10 @@ package org.palpate.device;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -123,6 +125,14 @@ class GuidedHandTest {
     hand.beginAfter(0, 60.1);
     read(hand, 600);
     assertEquals(30, state.positionMm.x, 0.2, "is half way after the rest and half a second");
+  }
+
+  @Test
+  void aHandThatIsClosedDoesNotBegin() {
+    GuidedHand hand = trembling();
+    hand.close();
+    assertTimeoutPreemptively(Duration.ofSeconds(30), () -> hand.beginAfter(1, 10));
+    assertEquals(ReadStatus.DISCONNECTED, hand.read(state));
   }
 
   @Test

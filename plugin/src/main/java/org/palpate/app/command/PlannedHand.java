@@ -61,14 +61,18 @@ final class PlannedHand implements HapticDevice {
    */
   @Override
   public boolean isReady() {
-    return closed || isPlanned();
+    takeOver();
+    return closed || hand != null;
   }
 
-  private boolean isPlanned() {
-    if (hand == null && plan.isDone()) {
+  /**
+   * Takes the hand over once it is planned. Closing cancels the plan, so that a plan which is done
+   * has no hand if the device has been closed.
+   */
+  private void takeOver() {
+    if (hand == null && plan.isDone() && !closed) {
       hand = planned();
     }
-    return hand != null;
   }
 
   private GuidedHand planned() {
@@ -84,10 +88,11 @@ final class PlannedHand implements HapticDevice {
 
   @Override
   public ReadStatus read(DeviceState state) {
+    takeOver();
     if (closed) {
       return ReadStatus.DISCONNECTED;
     }
-    return isPlanned() ? hand.read(state) : ReadStatus.REPEATED;
+    return hand != null ? hand.read(state) : ReadStatus.REPEATED;
   }
 
   @Override

@@ -130,13 +130,34 @@ class PlannedHandTest {
         new PlannedHand(
             RADIUS_MM,
             () -> {
-              while (!Thread.currentThread().isInterrupted()) {
-                Thread.onSpinWait();
+              try {
+                return cancelled();
+              } finally {
+                interrupted.countDown();
               }
-              interrupted.countDown();
-              throw new CancellationException();
             });
     hand.close();
     assertTrue(interrupted.await(30, TimeUnit.SECONDS), "the plan goes on");
+  }
+
+  @Test
+  void closingWhileTheLoopLooksForThePlanIsNoFailure() throws InterruptedException {
+    for (int n = 0; n < 2000; n++) {
+      PlannedHand hand = new PlannedHand(RADIUS_MM, PlannedHandTest::cancelled);
+      Thread closer = new Thread(hand::close);
+      closer.start();
+      while (!hand.isReady()) {
+        hand.read(state);
+      }
+      closer.join();
+      assertEquals(ReadStatus.DISCONNECTED, hand.read(state));
+    }
+  }
+
+  private static GuidedHand cancelled() {
+    while (!Thread.interrupted()) {
+      Thread.onSpinWait();
+    }
+    throw new CancellationException();
   }
 }
