@@ -10,6 +10,9 @@ final class BallAround {
   /** The distance of a path around the bodies, as a multiple of that of the farthest point. */
   private static final double AROUND = 1.15;
 
+  /** The number of points that {@link #between} returns. */
+  static final int POINTS_BETWEEN = 3;
+
   /** Unit vectors are opposite if the length of their sum is less. */
   private static final double OPPOSITE = 1e-6;
 
@@ -52,9 +55,10 @@ final class BallAround {
     return far.add(middle, far);
   }
 
-  /** Returns the direction from the middle to a point, a unit vector. */
+  /** Returns the direction from the middle to a point, a unit vector; any one at the middle. */
   Vec3 away(Vec3 point) {
-    return unit(point.sub(middle, new Vec3()));
+    Vec3 offset = point.sub(middle, new Vec3());
+    return offset.length() > 0 ? unit(offset) : new Vec3(0, 0, 1);
   }
 
   /** Returns the point outside at which a ray leaves the ball; its direction is a unit vector. */
@@ -66,7 +70,10 @@ final class BallAround {
     return direction.mul(root - along, new Vec3()).add(from, new Vec3());
   }
 
-  /** Returns points outside between two that lie outside. All lie at equal angles on an arc. */
+  /**
+   * Returns {@link #POINTS_BETWEEN} points outside between two that lie outside. All lie at equal
+   * angles on an arc.
+   */
   List<Vec3> between(Vec3 from, Vec3 to) {
     Vec3 begin = away(from);
     Vec3 end = away(to);

@@ -57,10 +57,11 @@ public final class ReductionPlan {
   private static final double CLEARED = 0.8;
 
   /**
-   * The number of stops that put a fragment aside and lead back around the bodies; a hand that
-   * succeeds leaves them out.
+   * The number of stops that put a fragment aside and lead back around the bodies: one outside, the
+   * three of {@link #putDown}, and those of {@link #goAround}. A hand that succeeds leaves them
+   * out.
    */
-  private static final int STOPS_ASIDE = 7;
+  private static final int STOPS_ASIDE = 1 + 3 + BallAround.POINTS_BETWEEN;
 
   /** The most sample points of a fragment that show whether another lies in its way. */
   private static final int POINTS_IN_THE_WAY = 300;

@@ -23,12 +23,19 @@ class BallAroundTest {
       Vec3 to = ball.outside(new Vec3(Math.cos(angle), Math.sin(angle), 0));
       List<Vec3> path = new ArrayList<>(List.of(from));
       path.addAll(ball.between(from, to));
+      assertEquals(1 + BallAround.POINTS_BETWEEN, path.size());
       path.add(to);
       for (int n = 1; n < path.size(); n++) {
         double nearMm = distanceToSegment(path.get(n - 1), path.get(n));
         assertTrue(nearMm > RADIUS_MM, degrees + " degrees, part " + n + ": " + nearMm + " mm");
       }
     }
+  }
+
+  @Test
+  void everyPointHasADirectionFromTheMiddle() {
+    assertEquals(1, ball.away(ball.middle()).length(), 0);
+    assertEquals(1, ball.away(at(0, 3, 4)).dot(new Vec3(0, 0.6, 0.8)), 1e-12);
   }
 
   @Test
