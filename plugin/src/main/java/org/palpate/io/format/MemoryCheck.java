@@ -35,9 +35,9 @@ public final class MemoryCheck {
       throw new VolumeFormatException(
           purpose
               + " needs "
-              + NumberText.bytes(bytes)
-              + " of memory but "
-              + NumberText.bytes(Math.max(0, availableBytes()))
+              + NumberText.bytes(bytes + RESERVE_BYTES)
+              + " of memory with a reserve, but "
+              + NumberText.bytes(availableBytes() + RESERVE_BYTES)
               + " are free",
           place,
           "give Java more memory (JAVA_TOOL_OPTIONS=-Xmx...), or crop or halve the volume");

@@ -136,8 +136,9 @@ class InputFilesTest {
     MemoryCheck.require(1, "a byte", "x");
     String said = refusal(() -> MemoryCheck.require(1e15, "keeping its grey values", "scan.nrrd"));
     assertTrue(
-        said.startsWith("keeping its grey values needs 1000 TB of memory but ")
-            || said.startsWith("keeping its grey values needs 1.0 PB of memory but "),
+        said.startsWith("keeping its grey values needs 1000 TB of memory with a reserve, but ")
+            || said.startsWith(
+                "keeping its grey values needs 1.0 PB of memory with a reserve, but "),
         said);
     assertTrue(said.contains(" are free: scan.nrrd: give Java more memory"), said);
   }
