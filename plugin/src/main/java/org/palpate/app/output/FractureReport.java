@@ -9,7 +9,7 @@ import org.palpate.body.Mobility;
 import org.palpate.fracture.FractureReadings;
 import org.palpate.fracture.PairReadings;
 import org.palpate.fracture.fit.GhostDistance;
-import org.palpate.geometry.Pose;
+import org.palpate.host.placing.GhostReading;
 import org.palpate.host.placing.ReadingText;
 import org.palpate.io.file.CountText;
 import org.palpate.io.file.NumberText;
@@ -24,8 +24,8 @@ public final class FractureReport {
   private final FractureReadings readings;
   private final List<ToGhost> toGhosts = new ArrayList<>();
 
-  /** The distances of a body that can move from a ghost. */
-  private record ToGhost(String body, String ghost, GhostDistance distance) {}
+  /** A reading of a body that can move. */
+  private record ToGhost(String body, GhostReading reading) {}
 
   /**
    * Reads the bodies of a scene where they stand, and those that can move against ghosts too.
@@ -47,16 +47,10 @@ public final class FractureReport {
     List<PosedBits> posed = PosedBits.of(bodies.rest(), bodies.poses());
     for (int n = 0; n < posed.size(); n++) {
       if (bodies.placements().get(n).mobility() == Mobility.MOVABLE) {
-        readGhosts(names.get(n), posed.get(n), faint);
+        String name = names.get(n);
+        GhostReading.of(posed.get(n), faint)
+            .forEach(reading -> toGhosts.add(new ToGhost(name, reading)));
       }
-    }
-  }
-
-  private void readGhosts(String name, PosedBits body, SegmentedVolume faint) {
-    for (int n = 0; n < faint.segments().size(); n++) {
-      Segment ghost = faint.segments().get(n);
-      PosedBits there = new PosedBits(ghost.bits(), faint.grid(n), new Pose());
-      toGhosts.add(new ToGhost(name, ghost.name(), GhostDistance.read(body, there)));
     }
   }
 
@@ -84,7 +78,7 @@ public final class FractureReport {
               + " of voxels");
     }
     for (ToGhost each : toGhosts) {
-      lines.add(each.body() + " to " + each.ghost() + ": " + ReadingText.of(each.distance()));
+      lines.add(each.reading().line(each.body()));
     }
     lines.add(
         "farthest from rest, relative to the largest: "
@@ -131,11 +125,12 @@ public final class FractureReport {
   private static Map<String, Object> entry(ToGhost each) {
     Map<String, Object> entry = new LinkedHashMap<>();
     entry.put("body", each.body());
-    entry.put("ghost", each.ghost());
-    entry.put("distance_mean_mm", each.distance().meanMm());
-    entry.put("distance_p95_mm", each.distance().mostlyMm());
-    entry.put("distance_largest_mm", each.distance().largestMm());
-    entry.put("share", each.distance().share());
+    entry.put("ghost", each.reading().ghost());
+    GhostDistance distance = each.reading().distance();
+    entry.put("distance_mean_mm", distance.meanMm());
+    entry.put("distance_p95_mm", distance.mostlyMm());
+    entry.put("distance_largest_mm", distance.largestMm());
+    entry.put("share", distance.share());
     return entry;
   }
 }

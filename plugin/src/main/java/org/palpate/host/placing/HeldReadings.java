@@ -6,7 +6,6 @@ import java.util.Optional;
 import org.palpate.body.BodyGroups;
 import org.palpate.fracture.PairReadings;
 import org.palpate.fracture.Residual;
-import org.palpate.fracture.fit.GhostDistance;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.io.file.NumberText;
@@ -78,7 +77,8 @@ public final class HeldReadings {
         }
       }
     }
-    ghosts.ifPresent(faint -> addGhosts(faint, fragment, own, lines));
+    ghosts.ifPresent(
+        faint -> GhostReading.of(own, faint).forEach(each -> lines.add(each.line(name(fragment)))));
     lines.add(
         name(fragment) + ": moved " + ReadingText.of(Residual.since(starts.get(fragment), own)));
     if (fragment != reference && !starts.get(fragment).sameBits(new Pose())) {
@@ -87,15 +87,6 @@ public final class HeldReadings {
           name(fragment) + ": from where it rests " + ReadingText.of(Residual.fromRest(own, base)));
     }
     return lines;
-  }
-
-  private void addGhosts(SegmentedVolume faint, int fragment, PosedBits own, List<String> lines) {
-    for (int n = 0; n < faint.segments().size(); n++) {
-      Segment ghost = faint.segments().get(n);
-      PosedBits there = new PosedBits(ghost.bits(), faint.grid(n), new Pose());
-      String distance = ReadingText.of(GhostDistance.read(own, there));
-      lines.add(name(fragment) + " to " + ghost.name() + ": " + distance);
-    }
   }
 
   private PosedBits posed(int n, List<RigidTransform> poses) {
