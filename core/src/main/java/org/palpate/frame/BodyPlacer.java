@@ -1,13 +1,24 @@
 package org.palpate.frame;
 
 import org.palpate.body.BodyScene;
+import org.palpate.body.Mobility;
 import org.palpate.edit.ChangeLog.Answer;
 import org.palpate.edit.PlacementLog;
+import org.palpate.edit.VoxelWriter;
 import org.palpate.geometry.Pose;
 import org.palpate.rigid.BodyMover.ClearCheck;
 
 /** Puts the bodies of a scene where they were. Haptic thread only; allocates nothing. */
 record BodyPlacer(BodyScene bodies, ClearCheck check) implements PlacementLog.Placer {
+  /** The sample points of a body that moves cover only the voxels that it has at the start. */
+  static void limitMovable(BodyScene bodies, VoxelWriter voxels) {
+    for (int n = 0; n < bodies.count(); n++) {
+      if (bodies.body(n).mobility() == Mobility.MOVABLE) {
+        voxels.limit(n, bodies.body(n).bits().copy());
+      }
+    }
+  }
+
   @Override
   public int count() {
     return bodies.count();

@@ -7,7 +7,6 @@ import org.palpate.body.BodyEvent;
 import org.palpate.body.BodyGroups;
 import org.palpate.body.BodyListener;
 import org.palpate.body.BodyScene;
-import org.palpate.body.Mobility;
 import org.palpate.carve.CarveSettings;
 import org.palpate.carve.ToolCarver;
 import org.palpate.collision.CollisionScene;
@@ -72,6 +71,7 @@ public final class ToolFrame extends HapticFrame {
   private volatile BodyGroups groups;
 
   private final BodyReport bodyReport;
+  private final PoseSnapshot snapshot;
 
   /** Recorded events for the next frame. */
   private final Queue<Runnable> repetitions = new ArrayDeque<>();
@@ -106,7 +106,7 @@ public final class ToolFrame extends HapticFrame {
         new PlacementLog(new BodyPlacer(bodies, solver.bodies().clearCheck()));
     EditListener noted = (segment, changed) -> bodies.body(segment).voxelsChanged(changed);
     voxels = new VoxelWriter(new CollisionScene(bodies.cubes()), noted, placements);
-    limitMovableBodies();
+    BodyPlacer.limitMovable(bodies, voxels);
     place = new RigidPlace(bodies, solver.newBlockingVoxels(), motion, devicePose);
     voxels.follow(place);
     grasp = new Grasp(bodies, solver, coupling, settings.force(), placements);
@@ -114,16 +114,8 @@ public final class ToolFrame extends HapticFrame {
     requestedPoses = new PoseRequests(bodies.count());
     groups = BodyGroups.none(bodies.count());
     bodyReport = new BodyReport(bodies, grasp);
+    snapshot = new PoseSnapshot(bodies);
     solver.addSkips(skippedBeforeUse);
-  }
-
-  /** The sample points of a body that moves cover only the voxels that it has at the start. */
-  private void limitMovableBodies() {
-    for (int n = 0; n < bodies.count(); n++) {
-      if (bodies.body(n).mobility() == Mobility.MOVABLE) {
-        voxels.limit(n, bodies.body(n).bits().copy());
-      }
-    }
   }
 
   /**
@@ -322,6 +314,7 @@ public final class ToolFrame extends HapticFrame {
   void publish(long frame) {
     mostReduced = Math.max(mostReduced, motion.reducedPoints());
     bodyReport.reportMotions(BodyEvent.MOVED);
+    snapshot.copyIfRequested();
     pressedBody = grasp.held() == Grasp.NO_BODY ? grasp.touched(motion) : Grasp.NO_BODY;
     publisher.publish(devicePose, motion, forceNewton, torqueNewtonMm, frame);
   }
@@ -439,6 +432,11 @@ public final class ToolFrame extends HapticFrame {
   public int chosenBody() {
     int held = heldBody;
     return held == Grasp.NO_BODY ? pressedBody : held;
+  }
+
+  /** {@return the poses of all bodies, which one other thread can request} */
+  public PoseSnapshot snapshot() {
+    return snapshot;
   }
 
   /** {@return which bodies are locked and which move together} Any thread. */

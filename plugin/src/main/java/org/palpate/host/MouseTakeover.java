@@ -31,6 +31,11 @@ public final class MouseTakeover extends DeviceDecorator implements TurnableDevi
     this.intervalNanos = intervalNanos;
   }
 
+  /** {@return whether the mouse has taken over} Any thread. */
+  public boolean isTakenOver() {
+    return mouse.hasJumped();
+  }
+
   /** Returns the mouse. */
   MouseDevice mouse() {
     return mouse;

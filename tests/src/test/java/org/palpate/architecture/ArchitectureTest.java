@@ -168,7 +168,7 @@ class ArchitectureTest {
                   "recording",
                   "scene.window",
                   "volume.fracture")),
-          Map.entry("host.placing", List.of("fracture.fit", "host")),
+          Map.entry("host.placing", List.of("fracture.fit", "host", "io.scene")),
           Map.entry("igtl", List.of("geometry")),
           Map.entry("imagej", List.of("imagej.session")),
           Map.entry("imagej.annotation", List.of("imagej.stack", "io.table")),

@@ -9,17 +9,14 @@ import java.util.Optional;
 import org.palpate.app.options.SceneElasticity;
 import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
-import org.palpate.body.Placement;
 import org.palpate.io.VolumeWriter;
 import org.palpate.io.file.AtomicFile;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.scene.PlacedVolume;
-import org.palpate.io.scene.SceneBody;
 import org.palpate.io.scene.SceneFile;
 import org.palpate.io.scene.SceneWriter;
 import org.palpate.io.scene.TransformWriter;
 import org.palpate.io.volume.CoordinateSystem;
-import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 
 /**
@@ -140,29 +137,12 @@ final class FragmentExport {
 
   private SceneFile written(PlacedVolume bodies, SceneElasticity elastic, Path file) {
     if (!writesRest(bodies)) {
-      return bodies.origin().orElseThrow().at(bodies.poses(), file);
+      return bodies.sceneOfFiles(file);
     }
     Path folder = file.toAbsolutePath().normalize().getParent();
     Path relative = folder.relativize(labels.toAbsolutePath().normalize());
     String volume = relative.toString().replace('\\', '/');
-    SceneFile scene =
-        bodies
-            .origin()
-            .map(opened -> opened.asLabels(bodies.poses(), volume, file))
-            .orElseGet(() -> SceneFile.ofBodies(fragments(bodies, volume)));
-    return elastic.of(scene, volume);
-  }
-
-  private static List<SceneBody> fragments(PlacedVolume bodies, String volume) {
-    List<SceneBody> written = new ArrayList<>();
-    for (Segment segment : bodies.rest().segments()) {
-      Placement placement = bodies.placements().get(written.size());
-      String label = "label:" + (written.size() + 1);
-      written.add(
-          SceneBody.ofVolume(
-              segment.name(), volume, label, placement.mobility(), placement.pose()));
-    }
-    return written;
+    return elastic.of(bodies.sceneOfLabels(volume, file), volume);
   }
 
   private static void writeTransforms(PlacedVolume bodies, Path folder) {

@@ -12,6 +12,7 @@ import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.host.placing.FaceFitting;
 import org.palpate.host.placing.LiveReadings;
+import org.palpate.host.placing.SceneAutosave;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopStatus;
 
@@ -64,13 +65,18 @@ final class SessionSupervisor {
     view = Optional.of(shown);
   }
 
-  /** Runs the session as {@link #run()} does, with threads that read and guide it. */
-  LoopEnd run(Optional<LiveReadings> readings, Optional<FaceFitting> fitting) {
+  /** Runs the session as {@link #run()} does, with threads that read, guide and save it. */
+  LoopEnd run(
+      Optional<LiveReadings> readings,
+      Optional<FaceFitting> fitting,
+      Optional<SceneAutosave> autosave) {
     readings.ifPresent(LiveReadings::start);
     fitting.ifPresent(FaceFitting::start);
+    autosave.ifPresent(SceneAutosave::start);
     try {
       return run();
     } finally {
+      autosave.ifPresent(SceneAutosave::close);
       fitting.ifPresent(FaceFitting::close);
       readings.ifPresent(LiveReadings::close);
     }

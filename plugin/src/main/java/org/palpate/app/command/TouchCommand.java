@@ -74,7 +74,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Runs a live session: reads a device and answers with a force a thousand times a second.",
       "It ends on Ctrl-C, after --seconds, or when the device disconnects, and sends zero force"
-          + " last."
+          + " last.",
+      "Bodies that can move are saved every ten seconds; a line at the start says where."
     },
     footer = {
       "",
@@ -143,7 +144,7 @@ public final class TouchCommand implements Callable<Integer> {
   private Optional<SessionLink> link = Optional.empty();
   private WriteFailures failures;
   private Optional<SessionView> shownView = Optional.empty();
-  private Optional<SceneAutosave> autosave = Optional.empty();
+  private Optional<SessionAutosave> autosave = Optional.empty();
   private Optional<SessionAssessment> assessment = Optional.empty();
   private ChosenCollisionDevice judge;
   private Optional<SegmentedVolume> ghosts = Optional.empty();
@@ -260,7 +261,7 @@ public final class TouchCommand implements Callable<Integer> {
     try (HapticDevice opened = open(choice, source, scene, target, loop.periodNanos())) {
       scene.notes(opened.specification()).forEach(out::println);
       device.notes(opened.specification()).forEach(out::println);
-      SceneAutosave.note(volume.scene(), savedPoses.scene()).ifPresent(out::println);
+      autosave = autosave(source, bodies.writesPoses() || export.isPresent());
       Optional<ViewOptions> view = view(source, scene.contactScene());
       WorldAxes axes = RenderCommand.axes(source.header().coordinateSystem());
       Optional<BrushOptions.Brush> brush =
@@ -276,7 +277,7 @@ public final class TouchCommand implements Callable<Integer> {
         report.put("carved", edited.carvedMm3()).put("added", edited.addedMm3());
       }
       if (source.placed().isPresent() || bodies.writesPoses()) {
-        finish(source, scene, bodies, report);
+        finish(source, scene, bodies, report, measured);
       } else {
         edited.write(failures, out);
         report.write();
@@ -284,6 +285,12 @@ public final class TouchCommand implements Callable<Integer> {
       assessment.ifPresent(files -> files.write(report.fields(), failures));
       return Math.max(measured.exitCode(), failures.exitCode());
     }
+  }
+
+  private Optional<SessionAutosave> autosave(VolumeSource source, boolean writesResult)
+      throws IOException {
+    PrintWriter err = spec.commandLine().getErr();
+    return SessionAutosave.of(source, savedPoses.scene(), changesVoxels(), writesResult, out, err);
   }
 
   /** Reads the ghosts, and returns their files. */
@@ -308,7 +315,11 @@ public final class TouchCommand implements Callable<Integer> {
 
   /** Prints, reports and writes what the session left of placed or elastic bodies. */
   private void finish(
-      VolumeSource source, SessionScene scene, FragmentExport bodies, Report report) {
+      VolumeSource source,
+      SessionScene scene,
+      FragmentExport bodies,
+      Report report,
+      TouchReport measured) {
     PlacedVolume left = scene.left(source);
     if (source.placed().isPresent()) {
       FractureReport readings = new FractureReport(left, ghosts);
@@ -318,9 +329,8 @@ public final class TouchCommand implements Callable<Integer> {
     report.write();
     SceneElasticity elasticity = elastic.elasticity(scene.volume());
     failures.attempt(exportFile, () -> bodies.write(left, elasticity).forEach(out::println));
-    if (failures.exitCode() == 0) {
-      autosave.ifPresent(file -> failures.attempt(file.target(), file::end));
-    }
+    autosave.ifPresent(
+        saved -> saved.end(left, measured.endedInOrder(), measured.isByHand(), failures));
   }
 
   /** Opens the device; the mouse may take a simulated hand over if there is a window. */
@@ -403,7 +413,6 @@ public final class TouchCommand implements Callable<Integer> {
       assessment.ifPresent(files -> session.observe(files.live()));
       Supplier<List<RigidTransform>> poses =
           () -> shownView.map(SessionView::bodyPoses).orElseGet(session::bodyPoses);
-      autosave = SceneAutosave.of(volume.scene(), savedPoses.scene(), poses);
       Optional<FaceFitting> fitting = scene.fitting(session, feel.fits());
       Optional<SessionBrush> painter =
           brush.map(held -> new SessionBrush(held, session, scene.volume(), scene.tool()));
@@ -414,8 +423,6 @@ public final class TouchCommand implements Callable<Integer> {
             assessment.ifPresent(SessionAssessment::drain);
             painter.ifPresent(SessionBrush::tick);
             fitting.ifPresent(thread -> thread.see(poses.get()));
-            autosave.ifPresent(
-                file -> failures.attempt(file.target(), () -> file.tick(System.nanoTime())));
           };
       SessionSupervisor supervisor =
           new SessionSupervisor(session, Optional.ofNullable(seconds), check, out);
@@ -436,7 +443,9 @@ public final class TouchCommand implements Callable<Integer> {
                   supervisor::stop));
       LoopEnd end =
           supervisor.run(
-              view.flatMap(shown -> scene.readings(session, shown, listener, ghosts)), fitting);
+              view.flatMap(shown -> scene.readings(session, shown, listener, ghosts)),
+              fitting,
+              autosave.flatMap(saved -> saved.begin(session)));
       link.ifPresent(SessionLink::pause);
       recording.finish();
       return new TouchReport(session, end, choice, opened, supervisor, view, realtime.throttled());

@@ -15,6 +15,7 @@ import org.palpate.app.output.Report;
 import org.palpate.app.process.PalpateException;
 import org.palpate.device.HapticDevice;
 import org.palpate.frame.FrameStatistics;
+import org.palpate.host.MouseTakeover;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
 import org.palpate.loop.LoopEnd;
@@ -55,6 +56,21 @@ final class TouchReport {
     this.view = view;
     this.throttled = throttled;
     loop = session.report();
+  }
+
+  /** Whether the last frame was whole: nothing failed in it, and it came in time. */
+  boolean endedInOrder() {
+    return end.cause() == LoopEnd.Cause.STOPPED || end.cause() == LoopEnd.Cause.DEVICE_GONE;
+  }
+
+  /** Whether a person may have moved the device, and not a simulated hand or a recording alone. */
+  boolean isByHand() {
+    return isByHand(choice, device);
+  }
+
+  static boolean isByHand(DeviceChoice choice, HapticDevice device) {
+    boolean isTakenOver = device instanceof MouseTakeover hand && hand.isTakenOver();
+    return isTakenOver || !(choice.device().isSimulated() || choice.device().isReplay());
   }
 
   /**

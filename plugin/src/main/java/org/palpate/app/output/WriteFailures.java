@@ -39,8 +39,6 @@ public final class WriteFailures {
     }
     try {
       piece.run();
-    } catch (VolumeFormatException e) {
-      report(target, e.getCause() instanceof IOException cause ? cause : e);
     } catch (IOException e) {
       report(target, e);
     }
@@ -49,8 +47,17 @@ public final class WriteFailures {
   /** Prints that an output failed, unless it was printed before. */
   public void report(Path target, IOException cause) {
     if (failed.add(target)) {
-      err.println("palpate: " + OutputPaths.failed(target, cause).getMessage());
+      err.println(line(target, cause));
     }
+  }
+
+  /** Returns the line about an output that cannot be written. */
+  public static String line(Path target, IOException failure) {
+    IOException cause =
+        failure instanceof VolumeFormatException && failure.getCause() instanceof IOException first
+            ? first
+            : failure;
+    return "palpate: " + OutputPaths.failed(target, cause).getMessage();
   }
 
   /** Returns 1 if any output failed, otherwise 0. */

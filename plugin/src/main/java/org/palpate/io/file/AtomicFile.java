@@ -21,7 +21,7 @@ import java.util.concurrent.ConcurrentHashMap;
  * failure of the disk is a {@link WriteFailedException} that names the target.
  */
 public final class AtomicFile implements AutoCloseable {
-  /** Temporary files that are neither committed nor discarded. */
+  /** Temporary files that are neither committed nor discarded, and lock files. */
   private static final Set<Path> UNFINISHED = ConcurrentHashMap.newKeySet();
 
   private final Path asked;
@@ -50,6 +50,16 @@ public final class AtomicFile implements AutoCloseable {
       UNFINISHED.remove(written);
       throw new WriteFailedException(asked, e);
     }
+  }
+
+  /** Lets {@link #discardUnfinished} delete another file too. */
+  static void discardAtEnd(Path file) {
+    UNFINISHED.add(file);
+  }
+
+  /** Takes {@link #discardAtEnd} back. */
+  static void keepAtEnd(Path file) {
+    UNFINISHED.remove(file);
   }
 
   /** Deletes the temporary files of all open files. For the end of the process alone. */

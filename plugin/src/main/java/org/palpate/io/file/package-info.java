@@ -1,5 +1,5 @@
 /**
- * Replaces files atomically, and parses and formats numbers.
+ * Replaces files atomically, claims them for one process, and parses and formats numbers.
  *
  * <p>Uses nothing of Palpate. Static methods are for any thread, an instance is for one. No units.
  */

@@ -3,6 +3,7 @@ package org.palpate.io.scene;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import org.palpate.geometry.Pose;
 
 /**
@@ -55,10 +56,14 @@ public record OpenedScene(SceneFile scene, Path file) {
                 .map(tool -> tool.isFile() ? tool.with(seenFrom(target, tool.spec())) : tool));
   }
 
-  /** Returns a name that is relative to the scene's file as it is relative to another file. */
+  /**
+   * Returns a name that is relative to the scene's file as it is relative to another file. On
+   * another drive it becomes absolute.
+   */
   private String seenFrom(Path target, String name) {
     Path named = file.toAbsolutePath().resolveSibling(name).normalize();
     Path folder = target.toAbsolutePath().normalize().getParent();
-    return folder.relativize(named).toString().replace('\\', '/');
+    boolean isNear = Objects.equals(folder.getRoot(), named.getRoot());
+    return (isNear ? folder.relativize(named) : named).toString().replace('\\', '/');
   }
 }

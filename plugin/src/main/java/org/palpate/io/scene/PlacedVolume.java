@@ -1,16 +1,21 @@
 package org.palpate.io.scene;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.palpate.body.BodyGroups;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
 import org.palpate.geometry.Pose;
 import org.palpate.io.file.NumberText;
+import org.palpate.io.table.GroupsCsv;
 import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.fracture.Fragments;
 import org.palpate.volume.fracture.PosedBits;
@@ -83,6 +88,72 @@ public record PlacedVolume(
       moved.add(new Placement(placement.mobility(), poses.get(moved.size())));
     }
     return new PlacedVolume(rest, moved, world, files, notes, origin);
+  }
+
+  /** Returns these bodies with other voxels at rest. */
+  public PlacedVolume with(SegmentedVolume newRest) {
+    return new PlacedVolume(newRest, placements, world, files, notes, origin);
+  }
+
+  /**
+   * Returns a scene that names the files of the scene that was read.
+   *
+   * @param target the file to which it will be written
+   */
+  public SceneFile sceneOfFiles(Path target) {
+    return origin.orElseThrow().at(poses(), target);
+  }
+
+  /**
+   * Returns a scene whose bodies are the labels of one volume, the first as 1.
+   *
+   * @param volume the name of the volume, relative to the target
+   * @param target the file to which it will be written
+   */
+  public SceneFile sceneOfLabels(String volume, Path target) {
+    return origin
+        .map(opened -> opened.asLabels(poses(), volume, target))
+        .orElseGet(() -> SceneFile.ofBodies(labels(volume)));
+  }
+
+  private List<SceneBody> labels(String volume) {
+    List<SceneBody> bodies = new ArrayList<>();
+    for (Segment segment : rest.segments()) {
+      Placement placement = placements.get(bodies.size());
+      String label = "label:" + (bodies.size() + 1);
+      bodies.add(
+          SceneBody.ofVolume(
+              segment.name(), volume, label, placement.mobility(), placement.pose()));
+    }
+    return bodies;
+  }
+
+  /** Returns the names of the bodies, in their order. */
+  public List<String> names() {
+    return rest.segments().stream().map(Segment::name).toList();
+  }
+
+  /**
+   * Reads the locks and groups that lie beside the scene that was read.
+   *
+   * @return empty if no scene was read, or it has none
+   * @throws IOException if they are not understood
+   */
+  public Optional<BodyGroups> groups() throws IOException {
+    if (origin.isEmpty()) {
+      return Optional.empty();
+    }
+    return GroupsCsv.read(GroupsCsv.beside(origin.get().file()), names(), this::isMovable);
+  }
+
+  /** Whether a body can move, by its number. */
+  private boolean isMovable(int body) {
+    return placements.get(body).mobility() == Mobility.MOVABLE;
+  }
+
+  /** Whether a body can move. */
+  public boolean hasMovableBodies() {
+    return IntStream.range(0, placements.size()).anyMatch(this::isMovable);
   }
 
   /** Whether a body that can move is not where it rests. */

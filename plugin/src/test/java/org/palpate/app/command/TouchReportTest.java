@@ -4,10 +4,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.palpate.app.options.DeviceChoice;
 import org.palpate.app.process.PalpateException;
+import org.palpate.device.HandTarget;
+import org.palpate.device.HapticDevice;
+import org.palpate.device.SimulatedDevice;
+import org.palpate.geometry.Vec3;
+import org.palpate.host.MouseTakeover;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopEnd.Cause;
 import org.palpate.loop.Quantiles;
@@ -62,6 +69,20 @@ class TouchReportTest {
     assertEquals(
         "lateness 3.2 us, 99 % under 41.0 us, at most 1234.5 us",
         TouchReport.lateness(new Quantiles(3.2, 41, 300, 1234.5)));
+  }
+
+  @Test
+  void aSimulatedHandAndARecordingAreNoPerson() {
+    HandTarget target =
+        new HandTarget(new Vec3(), new Vec3(9, 9, 9), 1, List.of(new Vec3(5, 5, 5)));
+    HapticDevice hand = new SimulatedDevice(1, target, 1_000_000);
+    assertTrue(TouchReport.isByHand(REAL, hand));
+    assertTrue(TouchReport.isByHand(DeviceChoice.parse("mouse"), hand));
+    assertFalse(TouchReport.isByHand(DeviceChoice.parse("simulated:3"), hand));
+    assertFalse(TouchReport.isByHand(DeviceChoice.parse("replay:t.csv"), hand));
+    try (MouseTakeover takeover = new MouseTakeover(hand, target, 1_000_000)) {
+      assertFalse(TouchReport.isByHand(DeviceChoice.parse("simulated"), takeover));
+    }
   }
 
   private static void assertReports(String line, LoopEnd end, String ending) {

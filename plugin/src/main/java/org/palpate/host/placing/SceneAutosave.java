@@ -1,0 +1,192 @@
+package org.palpate.host.placing;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import org.palpate.body.BodyGroups;
+import org.palpate.frame.PoseSnapshot;
+import org.palpate.frame.ToolFrame;
+import org.palpate.geometry.Pose;
+import org.palpate.io.scene.PlacedVolume;
+import org.palpate.io.scene.SavedScene;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
+
+/**
+ * Saves the bodies of a session from time to time while it runs, on a thread of its own, if
+ * something changed. Poses are saved to the bit, so what was verified can be verified again.
+ *
+ * <p>One thread starts and closes it. After that, the caller may use the saved scene again.
+ */
+public final class SceneAutosave implements AutoCloseable {
+  /** The time between two saves. */
+  public static final long PERIOD_NANOS = 10_000_000_000L;
+
+  /** The time between two looks whether a frame has copied the poses. */
+  private static final long FRAME_WAIT_NANOS = 20_000_000;
+
+  private final PlacedVolume start;
+  private final boolean cuts;
+  private final ToolFrame frame;
+  private final SavedScene target;
+  private final Consumer<IOException> failed;
+  private final RepeatingThread thread;
+  private volatile boolean closed;
+
+  /** The poses that are saved, or with which the session began; empty before that. */
+  private List<Pose> savedPoses = List.of();
+
+  private SegmentedVolume savedVoxels;
+  private BodyGroups savedGroups;
+  private boolean hasFailed;
+
+  /**
+   * Creates an autosave that does not run yet.
+   *
+   * @param start the bodies of the session, whose voxels the frames change
+   * @param cuts whether frames change voxels at all; only for bodies of one grid
+   * @param frame gives poses, locks and groups; nobody else requests its poses
+   * @param target receives the bodies; belongs to the autosave until that is closed
+   * @param failed receives the first of failures in a row; on the thread of the autosave
+   */
+  public SceneAutosave(
+      PlacedVolume start,
+      boolean cuts,
+      ToolFrame frame,
+      SavedScene target,
+      Consumer<IOException> failed) {
+    this(start, cuts, frame, target, failed, PERIOD_NANOS);
+  }
+
+  /** Creates an autosave with another time between two saves. */
+  SceneAutosave(
+      PlacedVolume start,
+      boolean cuts,
+      ToolFrame frame,
+      SavedScene target,
+      Consumer<IOException> failed,
+      long periodNanos) {
+    this.start = start;
+    this.cuts = cuts;
+    this.frame = frame;
+    this.target = target;
+    this.failed = failed;
+    thread = new RepeatingThread("palpate-autosave", periodNanos, this::tick, () -> {});
+  }
+
+  /** Starts to save. */
+  public void start() {
+    thread.start();
+  }
+
+  private void tick() {
+    PoseSnapshot snapshot = frame.snapshot();
+    snapshot.request();
+    while (!snapshot.isReady()) {
+      if (closed) {
+        return;
+      }
+      LockSupport.parkNanos(this, FRAME_WAIT_NANOS);
+    }
+    save(snapshot.poses(), frame.groups());
+  }
+
+  /** Saves poses that a frame left, voxels, locks and groups, unless nothing changed. */
+  synchronized void save(List<Pose> poses, BodyGroups groups) {
+    if (closed) {
+      return;
+    }
+    SegmentedVolume voxels = cuts ? copy(start.rest()) : start.rest();
+    if (savedPoses.isEmpty()) {
+      keep(poses, voxels, groups);
+      return;
+    }
+    boolean isCut = cuts && !haveSameVoxels(voxels, savedVoxels);
+    if (!isCut && groups == savedGroups && haveSameBits(poses, savedPoses)) {
+      return;
+    }
+    try {
+      target.write(start.with(voxels).at(poses), isCut, groups);
+      keep(poses, voxels, groups);
+      hasFailed = false;
+    } catch (IOException e) {
+      if (!hasFailed) {
+        failed.accept(e);
+      }
+      hasFailed = true;
+    }
+  }
+
+  private void keep(List<Pose> poses, SegmentedVolume voxels, BodyGroups groups) {
+    savedPoses = poses;
+    savedVoxels = voxels;
+    savedGroups = groups;
+  }
+
+  /**
+   * Copies voxels that frames may change meanwhile. A frame that copied poses before has published
+   * all changes up to then; a later change of a brick is in the copy or not.
+   */
+  private static SegmentedVolume copy(SegmentedVolume volume) {
+    List<Segment> copies = new ArrayList<>();
+    for (Segment segment : volume.segments()) {
+      copies.add(new Segment(segment.name(), copy(segment.bits()), segment.rgb()));
+    }
+    return new SegmentedVolume(volume.grid(), copies, volume.grids());
+  }
+
+  private static BitCube copy(BitCube bits) {
+    BitCube copy = new BitCube(bits.sizeX(), bits.sizeY(), bits.sizeZ());
+    for (int z = 0; z < bits.bricksZ(); z++) {
+      for (int y = 0; y < bits.bricksY(); y++) {
+        for (int x = 0; x < bits.bricksX(); x++) {
+          copy.setBrick(x, y, z, bits.brick(x, y, z));
+        }
+      }
+    }
+    return copy;
+  }
+
+  private static boolean haveSameVoxels(SegmentedVolume one, SegmentedVolume other) {
+    for (int n = 0; n < one.segments().size(); n++) {
+      if (!isSame(one.segments().get(n).bits(), other.segments().get(n).bits())) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static boolean isSame(BitCube one, BitCube other) {
+    for (int z = 0; z < one.bricksZ(); z++) {
+      for (int y = 0; y < one.bricksY(); y++) {
+        for (int x = 0; x < one.bricksX(); x++) {
+          if (one.brick(x, y, z) != other.brick(x, y, z)) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  private static boolean haveSameBits(List<Pose> one, List<Pose> other) {
+    for (int n = 0; n < one.size(); n++) {
+      if (!one.get(n).sameBits(other.get(n))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Ends the thread, after a save that has begun. */
+  @Override
+  public void close() {
+    synchronized (this) {
+      closed = true;
+    }
+    thread.close();
+  }
+}

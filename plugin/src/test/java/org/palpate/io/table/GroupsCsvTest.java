@@ -1,0 +1,104 @@
+package org.palpate.io.table;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.palpate.body.BodyGroups;
+import org.palpate.testing.Seeds;
+
+class GroupsCsvTest {
+  private static final List<String> NAMES = List.of("skull", "a", "b,c", "d \"e\"", "f");
+
+  @TempDir private Path folder;
+
+  private Path file() {
+    return GroupsCsv.beside(folder.resolve("jaw.json"));
+  }
+
+  private Optional<BodyGroups> read() throws IOException {
+    return GroupsCsv.read(file(), NAMES, body -> body > 0);
+  }
+
+  @Test
+  void aTableLiesBesideItsScene() {
+    assertEquals(folder.resolve("jaw.groups.csv"), file());
+    assertEquals(Path.of("jaw.groups.csv"), GroupsCsv.beside(Path.of("jaw")));
+  }
+
+  @Test
+  void anyLocksAndGroupsReadBackAsTheyWere() throws IOException {
+    SplittableRandom random = new SplittableRandom(Seeds.seed());
+    for (int trial = 0; trial < 200; trial++) {
+      BodyGroups groups = BodyGroups.none(NAMES.size());
+      for (int change = random.nextInt(6); change > 0; change--) {
+        int one = 1 + random.nextInt(4);
+        int other = 1 + random.nextInt(4);
+        groups =
+            switch (random.nextInt(3)) {
+              case 0 -> groups.withLock(random.nextInt(5), random.nextBoolean());
+              case 1 -> groups.bound(one, other);
+              default -> groups.alone(one);
+            };
+      }
+      GroupsCsv.write(file(), NAMES, groups);
+      BodyGroups back = read().orElse(BodyGroups.none(NAMES.size()));
+      for (int n = 0; n < NAMES.size(); n++) {
+        assertEquals(groups.isLocked(n), back.isLocked(n), () -> "seed " + Seeds.seed());
+        for (int m = 0; m < NAMES.size(); m++) {
+          assertEquals(groups.moveTogether(n, m), back.moveTogether(n, m));
+        }
+      }
+    }
+  }
+
+  @Test
+  void withoutLocksAndGroupsThereIsNoTable() throws IOException {
+    BodyGroups none = BodyGroups.none(NAMES.size());
+    GroupsCsv.write(file(), NAMES, none.bound(2, 4));
+    assertEquals(
+        "body,group,locked\nskull,1,0\na,2,0\n\"b,c\",3,0\n\"d \"\"e\"\"\",4,0\nf,3,0\n",
+        Files.readString(file()));
+    GroupsCsv.write(file(), NAMES, none);
+    assertFalse(Files.exists(file()));
+    assertEquals(Optional.empty(), read());
+    GroupsCsv.write(file(), NAMES, none);
+  }
+
+  @Test
+  void aBodyWithoutARowMovesAlone() throws IOException {
+    Files.writeString(file(), "locked,note,body,group\n1,x,a,left\n0,x,f,left\n");
+    BodyGroups groups = read().orElseThrow();
+    assertTrue(groups.moveTogether(1, 4));
+    assertTrue(groups.isLocked(4), "the lock of one holds all that move with it");
+    assertEquals(1, groups.size(2));
+    assertFalse(groups.isLocked(0));
+  }
+
+  @Test
+  void aWrongRowIsRefusedWithItsLine() throws IOException {
+    assertRefused("a,1\n", "there is no column locked", "body,group");
+    assertRefused("g,1,0\n", "there is no body g", "body,group,locked");
+    assertRefused("a,1,0\na,2,0\n", "a has two rows", "body,group,locked");
+    assertRefused("a,,0\n", "group is missing", "body,group,locked");
+    assertRefused("a,1,2\n", "locked is 2", "body,group,locked");
+    assertRefused("a,1\n", "locked is missing", "body,group,locked");
+    assertRefused("a,1,0\nskull,1,0\n", "skull is attached", "body,group,locked");
+  }
+
+  private void assertRefused(String rows, String what, String header) throws IOException {
+    Files.writeString(file(), header + "\n" + rows);
+    String message = assertThrows(CsvFormatException.class, this::read).getMessage();
+    assertTrue(message.startsWith(what), message);
+    assertTrue(message.contains(file() + " line "), message);
+  }
+}
