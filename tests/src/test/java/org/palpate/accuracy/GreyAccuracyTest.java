@@ -86,6 +86,15 @@ class GreyAccuracyTest {
   }
 
   @ParameterizedTest
+  @CsvSource({"1, 3, 5", "5, 1, 4", "5, 5, 1"})
+  void voxelsThatAreVeryLongAlongTwoAxesTiltTheForceByADegreeOrTwo(double x, double y, double z) {
+    Vec3 spacing = new Vec3(x, y, z);
+    checkSlides("plane", spacing, 0.5, 1.2, 0.03);
+    checkSlides("sphere", spacing, 0.6, 2, 0.35);
+    checkSlides("torus", spacing, 2, 4, 0.4);
+  }
+
+  @ParameterizedTest
   @CsvSource({
     "1, sphere, 1, 4.5",
     "2, plane, 1, 1.8",

@@ -21,7 +21,13 @@ record ThinGrid(List<AxisCut> cuts) {
   static final int MAX_PER_VOXEL = 8;
 
   /** The same for grey values, whose smoothing is narrower. */
-  private static final int MAX_PER_VOXEL_OF_GREY = 5;
+  private static final double MAX_PER_VOXEL_OF_GREY = 5;
+
+  /**
+   * The most cells along the diagonal of a voxel of grey values that is cut along two axes. The
+   * isosurface has to clear half of this diagonal.
+   */
+  private static final double MAX_ALONG_DIAGONAL_OF_GREY = 5.3;
 
   /** Cells that are voxels. */
   static final ThinGrid WHOLE = new ThinGrid(List.of());
@@ -48,10 +54,21 @@ record ThinGrid(List<AxisCut> cuts) {
 
   /** Returns the grid for the grey values of voxels with these edges, in shortest edges. */
   static ThinGrid ofGrey(Vec3 edges) {
-    return of(edges, MAX_PER_VOXEL_OF_GREY, MAX_EQUAL_OF_GREY, MAX_EQUAL_OF_GREY);
+    return of(edges, mostPerVoxelOfGrey(edges), MAX_EQUAL_OF_GREY, MAX_EQUAL_OF_GREY);
   }
 
-  private static ThinGrid of(Vec3 edges, int mostPerVoxel, double maxEqual, double maxSecond) {
+  private static double mostPerVoxelOfGrey(Vec3 edges) {
+    double second =
+        Math.max(Math.min(edges.x, edges.y), Math.min(Math.max(edges.x, edges.y), edges.z));
+    if (second <= MAX_EQUAL_OF_GREY) {
+      return MAX_PER_VOXEL_OF_GREY;
+    }
+    double diagonal = MAX_ALONG_DIAGONAL_OF_GREY;
+    double ofSecond = Math.min(second, diagonal / Math.sqrt(2));
+    return Math.min(MAX_PER_VOXEL_OF_GREY, Math.sqrt(diagonal * diagonal - ofSecond * ofSecond));
+  }
+
+  private static ThinGrid of(Vec3 edges, double mostPerVoxel, double maxEqual, double maxSecond) {
     List<AxisCut> axes = new ArrayList<>();
     for (int axis = 2; axis >= 0; axis--) {
       axes.add(new AxisCut(axis, Math.min(mostPerVoxel, edges.get(axis))));
