@@ -21,4 +21,9 @@ public record LoopEnd(Cause cause, Throwable failure) {
      */
     HUNG
   }
+
+  /** {@return whether the last frame was whole: nothing failed in it, and it came in time} */
+  public boolean isInOrder() {
+    return cause == Cause.STOPPED || cause == Cause.DEVICE_GONE;
+  }
 }

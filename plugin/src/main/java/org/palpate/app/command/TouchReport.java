@@ -58,9 +58,9 @@ final class TouchReport {
     loop = session.report();
   }
 
-  /** Whether the last frame was whole: nothing failed in it, and it came in time. */
+  /** Whether the last frame was whole. */
   boolean endedInOrder() {
-    return end.cause() == LoopEnd.Cause.STOPPED || end.cause() == LoopEnd.Cause.DEVICE_GONE;
+    return end.isInOrder();
   }
 
   /** Whether a person may have moved the device, and not a simulated hand or a recording alone. */

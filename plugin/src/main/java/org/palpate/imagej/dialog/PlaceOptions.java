@@ -20,6 +20,7 @@ import org.palpate.imagej.stack.TouchRefusedException;
  * @param workspace maps the workspace of a real device to the stack
  * @param seconds length of the session, s; 0 means until Escape or the image closes
  * @param view whether the 3-D window is wanted
+ * @param resume whether to begin where an earlier session left the fragments
  */
 public record PlaceOptions(
     int fixed,
@@ -27,7 +28,8 @@ public record PlaceOptions(
     String device,
     StackWorkspace workspace,
     double seconds,
-    boolean view) {
+    boolean view,
+    boolean resume) {
   private static final String PREFIX = "palpate.place.";
 
   /**
@@ -41,6 +43,7 @@ public record PlaceOptions(
     dialog.addNumericField(
         "Friction", Prefs.get(PREFIX + "friction", ForceSettings.DEFAULT_FRICTION), 2);
     TouchOptions.addDevice(dialog, PREFIX, "mouse");
+    dialog.addCheckbox("Resume what a crash left", false);
     HelpText.addTo(dialog);
     dialog.showDialog();
     if (dialog.wasCanceled()) {
@@ -60,12 +63,19 @@ public record PlaceOptions(
     double scale = dialog.getNextNumber();
     double seconds = dialog.getNextNumber();
     boolean view = dialog.getNextBoolean();
+    boolean resume = dialog.getNextBoolean();
     if (dialog.invalidNumber() || fixed != (int) fixed) {
       throw new TouchRefusedException(
           "A field does not contain a number, or the label is not a whole one.");
     }
     return new PlaceOptions(
-        (int) fixed, friction, device, TouchOptions.workspace(workspace, scale), seconds, view);
+        (int) fixed,
+        friction,
+        device,
+        TouchOptions.workspace(workspace, scale),
+        seconds,
+        view,
+        resume);
   }
 
   private void check() throws TouchRefusedException {

@@ -15,6 +15,7 @@ import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
 import org.palpate.collision.CollisionDevice;
+import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.host.ContactScene;
@@ -33,6 +34,9 @@ import org.palpate.imagej.stack.StackVolume;
 import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.io.file.NumberParser;
 import org.palpate.io.file.NumberText;
+import org.palpate.io.scene.PlacedVolume;
+import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
 import org.palpate.realtime.RealtimeThread;
 import org.palpate.rigid.Clearance;
@@ -59,6 +63,7 @@ public final class PlacingSession extends HandSession implements ImageListener {
   private final RealtimeThread realtime = StackRealtime.thread();
   private final TouchSession session;
   private final Optional<SessionView> view;
+  private final PlacingAutosave autosave;
   private volatile List<RigidTransform> poses;
   private volatile boolean isImageClosed;
 
@@ -76,11 +81,11 @@ public final class PlacingSession extends HandSession implements ImageListener {
     List<Segment> segments =
         StackSegments.of(stack, pixels::slice, ranges, k -> IJ.showProgress(k + 1, stack.slices()));
     volume = new SegmentedVolume(StackGeometry.of(stack.image()).grid(), segments);
-    List<Placement> placements = placements(options.fixed());
+    PlacingAutosave.Start start = start(options);
     ContactScene scene =
-        new ContactScene(volume, placements, options.contactSettings(), Optional.empty());
+        new ContactScene(volume, start.placements(), options.contactSettings(), Optional.empty());
     stack.logWarning(scene.settings().solver());
-    poses = Placement.transforms(placements);
+    poses = Placement.transforms(start.placements());
     LoopSettings loop = LoopSettings.ofRate(StackSession.RATE_HZ).with(realtime, realtime);
     StackDevice device =
         StackDevice.open(options.device(), scene, options.workspace(), loop.periodNanos());
@@ -97,7 +102,23 @@ public final class PlacingSession extends HandSession implements ImageListener {
                 new SessionView(
                     session, volume, WorldAxes.UNKNOWN, device.device(), new Listener()))
             : Optional.empty();
+    ToolFrame frame = session.toolFrame().orElseThrow();
+    start.groups().ifPresent(frame::requestGroups);
+    autosave = new PlacingAutosave(stack, placed(start.placements()), frame);
     ImagePlus.addImageListener(this);
+  }
+
+  /** Returns where the fragments begin: in the stack, or where an earlier session left them. */
+  private PlacingAutosave.Start start(PlaceOptions options) throws TouchRefusedException {
+    List<Placement> atRest = placements(options.fixed());
+    return options.resume()
+        ? PlacingAutosave.resume(stack, names(), atRest)
+        : new PlacingAutosave.Start(atRest, Optional.empty());
+  }
+
+  private PlacedVolume placed(List<Placement> placements) {
+    return new PlacedVolume(
+        volume, placements, CoordinateSystem.UNKNOWN, List.of(), List.of(), Optional.empty());
   }
 
   private List<Placement> placements(int fixedLabel) throws TouchRefusedException {
@@ -158,6 +179,12 @@ public final class PlacingSession extends HandSession implements ImageListener {
   }
 
   @Override
+  LoopEnd run() throws TouchRefusedException {
+    autosave.start();
+    return super.run();
+  }
+
+  @Override
   void tick() {
     if (session.status().frames() > 0) {
       poses = view.map(SessionView::bodyPoses).orElseGet(session::bodyPoses);
@@ -195,6 +222,9 @@ public final class PlacingSession extends HandSession implements ImageListener {
       }
     }
     result().show();
+    if (session.stop().isInOrder()) {
+      autosave.discard();
+    }
   }
 
   /** Returns a new label stack of the fragments where they are. */
@@ -205,6 +235,10 @@ public final class PlacingSession extends HandSession implements ImageListener {
 
   private String name(int n) {
     return ranges.get(n).name();
+  }
+
+  private List<String> names() {
+    return ranges.stream().map(SegmentRange::name).toList();
   }
 
   /** Returns the pose of a fragment as macros write it: x,y,z,qw,qx,qy,qz; mm from its place. */
@@ -263,6 +297,7 @@ public final class PlacingSession extends HandSession implements ImageListener {
   @Override
   public void close() {
     ImagePlus.removeImageListener(this);
+    autosave.close();
     super.close();
     realtime.close();
   }
@@ -273,10 +308,6 @@ public final class PlacingSession extends HandSession implements ImageListener {
     public void opening(SceneWindow window) {
       new PlacingKeys(session, names(), line -> view.ifPresent(v -> v.hint(line)))
           .addTo(window.input());
-    }
-
-    private List<String> names() {
-      return ranges.stream().map(SegmentRange::name).toList();
     }
 
     @Override

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.palpate.host.SolverKind;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.volume.LabelTable;
@@ -89,21 +90,30 @@ public record StackVolume(
     if (image.getProperty(LABELS) instanceof LabelTable opened) {
       return opened;
     }
-    FileInfo file = image.getOriginalFileInfo();
-    if (file == null || file.getFilePath() == null || file.getFilePath().isEmpty()) {
-      return LabelTable.EMPTY;
-    }
+    Optional<Path> file = file();
     try {
-      Path path = Path.of(file.getFilePath());
-      return Files.isRegularFile(path)
-          ? VolumeFiles.open(path, ReadOptions.defaults())
+      return file.isPresent()
+          ? VolumeFiles.open(file.get(), ReadOptions.defaults())
               .header()
               .labels()
               .orElse(LabelTable.EMPTY)
           : LabelTable.EMPTY;
-    } catch (InvalidPathException | IOException e) {
+    } catch (IOException e) {
       // the image is open, so the state of its file does not matter
       return LabelTable.EMPTY;
+    }
+  }
+
+  /** Returns the file that the image was opened from, if there still is one. */
+  public Optional<Path> file() {
+    FileInfo info = image.getOriginalFileInfo();
+    String path = info == null ? null : info.getFilePath();
+    try {
+      return path == null || path.isEmpty()
+          ? Optional.empty()
+          : Optional.of(Path.of(path)).filter(Files::isRegularFile);
+    } catch (InvalidPathException e) {
+      return Optional.empty();
     }
   }
 

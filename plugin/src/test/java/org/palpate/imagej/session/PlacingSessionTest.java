@@ -6,10 +6,18 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import ij.ImagePlus;
 import ij.ImageStack;
+import ij.io.FileInfo;
 import ij.process.ByteProcessor;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.palpate.frame.ToolFrame;
 import org.palpate.imagej.dialog.PlaceOptions;
 import org.palpate.imagej.dialog.StackWorkspace;
 import org.palpate.imagej.stack.StackVolume;
@@ -17,6 +25,8 @@ import org.palpate.imagej.stack.TouchRefusedException;
 
 class PlacingSessionTest {
   private static final int SIZE = 40;
+
+  @TempDir private Path folder;
 
   /** Returns a stack with a large block of label 3 and a small one of label 7 beside it. */
   private static ImagePlus labels() {
@@ -36,14 +46,38 @@ class PlacingSessionTest {
   }
 
   private static PlaceOptions options(int fixed) {
+    return options(fixed, false);
+  }
+
+  private static PlaceOptions options(int fixed, boolean resume) {
     return new PlaceOptions(
-        fixed, 0.2, "simulated", new StackWorkspace(StackWorkspace.Kind.FIT, 1), 0, false);
+        fixed, 0.2, "simulated", new StackWorkspace(StackWorkspace.Kind.FIT, 1), 0, false, resume);
+  }
+
+  /** Returns the same stack as if it had been opened from a file. */
+  private ImagePlus opened() throws IOException {
+    Files.write(folder.resolve("labels.tif"), new byte[] {1});
+    ImagePlus image = labels();
+    FileInfo info = new FileInfo();
+    info.directory = folder + "/";
+    info.fileName = "labels.tif";
+    image.setFileInfo(info);
+    return image;
+  }
+
+  private List<String> autosaved() throws IOException {
+    try (Stream<Path> all = Files.list(folder)) {
+      return all.map(file -> file.getFileName().toString())
+          .filter(name -> name.contains("autosave"))
+          .sorted()
+          .toList();
+    }
   }
 
   @Test
   @Timeout(60)
   void aFragmentIsMovedUntilAnotherHoldsItBackAndTheResultIsALabelStack() throws Exception {
-    ImagePlus image = labels();
+    ImagePlus image = opened();
     StackVolume stack = StackVolume.shownIn(image);
     try (PlacingSession session = new PlacingSession(stack, options(0))) {
       Thread runner = new Thread(() -> run(session));
@@ -74,6 +108,65 @@ class PlacingSessionTest {
         }
       }
     }
+  }
+
+  /** The first session is not ended in order, so what it saved stays, as after a crash. */
+  @Test
+  @Timeout(120)
+  void anotherSessionGoesOnFromWhatACrashLeft() throws Exception {
+    StackVolume stack = StackVolume.shownIn(opened());
+    Path saved = folder.resolve("labels.tif.autosave.json");
+    String pose;
+    try (PlacingSession session = new PlacingSession(stack, options(0))) {
+      Thread runner = new Thread(() -> run(session));
+      runner.start();
+      session.awaitForce();
+      LockSupport.parkNanos(500_000_000L);
+      ToolFrame frame = session.session().toolFrame().orElseThrow();
+      frame.requestGroups(frame.groups().withLock(1, true));
+      session.move("label 7", "5,0.3,-0.1,0.9998,0.02,0,0");
+      while (!Files.exists(saved)) {
+        LockSupport.parkNanos(10_000_000L);
+      }
+      pose = session.pose("label 7");
+      session.requestStop();
+      runner.join();
+    }
+    assertEquals(
+        List.of(
+            "labels.tif.autosave.groups.csv",
+            "labels.tif.autosave.json",
+            "labels.tif.autosave.nrrd"),
+        autosaved());
+    try (PlacingSession session = new PlacingSession(stack, options(0, true))) {
+      assertEquals(pose, session.pose("label 7"));
+      assertTrue(session.session().toolFrame().orElseThrow().groups().isLocked(1));
+      assertTrue(autosaved().contains(".labels.tif.autosave2.json.lock"));
+    }
+    assertEquals(3, autosaved().size());
+    try (PlacingSession session = new PlacingSession(stack, options(0))) {
+      assertEquals("0.0,0.0,0.0,1.0,0.0,0.0,0.0", session.pose("label 7"));
+    }
+  }
+
+  @Test
+  void whatCannotBeResumedIsRefusedInOneLine() throws Exception {
+    StackVolume stack = StackVolume.shownIn(opened());
+    assertRefuses(stack, "No earlier session of this stack is left to resume.");
+    Path saved = folder.resolve("labels.tif.autosave.json");
+    String body = "{\"bodies\": [{\"name\": \"label %d\", \"volume\": \"a.nrrd\"}]}";
+    Files.writeString(saved, String.format(body, 3));
+    assertRefuses(stack, saved + " has other fragments than the stack: leave Resume out.");
+    Files.writeString(saved, String.format(body, 3).substring(0, 30));
+    assertRefuses(stack, "The session cannot be resumed: ");
+  }
+
+  private static void assertRefuses(StackVolume stack, String line) {
+    String refusal =
+        assertThrows(TouchRefusedException.class, () -> new PlacingSession(stack, options(0, true)))
+            .getMessage();
+    assertTrue(refusal.startsWith(line), refusal);
+    assertEquals(1, refusal.lines().count());
   }
 
   private static int value(ImagePlus image, int i, int j, int k) {
