@@ -18,9 +18,9 @@ public final class GhostOptions {
       names = NAME,
       paramLabel = "FILE[:SPEC]",
       description = {
-        "Draws a segment of another volume file faintly, to aim at; nothing touches it. May be"
-            + " repeated. SPEC is >=1500, 300..900, label:7, name:Mandible or nonzero. Default:"
-            + " nonzero."
+        "Draws a segment of another volume file, or a closed mesh, faintly, to aim at; nothing"
+            + " touches it. May be repeated. SPEC is >=1500, 300..900, label:7, name:Mandible or"
+            + " nonzero. Default: nonzero."
       })
   private List<String> ghosts = List.of();
 

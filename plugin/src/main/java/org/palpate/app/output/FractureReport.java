@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.palpate.body.Mobility;
+import org.palpate.body.Placement;
 import org.palpate.fracture.FractureReadings;
 import org.palpate.fracture.PairReadings;
 import org.palpate.fracture.fit.GhostDistance;
@@ -24,11 +25,12 @@ public final class FractureReport {
   private final FractureReadings readings;
   private final List<ToGhost> toGhosts = new ArrayList<>();
 
-  /** A reading of a body that can move. */
+  /** A reading of a body. */
   private record ToGhost(String body, GhostReading reading) {}
 
   /**
-   * Reads the bodies of a scene where they stand, and those that can move against ghosts too.
+   * Reads the bodies of a scene where they stand, and those that can move against ghosts too; all
+   * if none can move.
    *
    * @param ghosts the ghosts, if there are any
    */
@@ -45,8 +47,10 @@ public final class FractureReport {
 
   private void readGhosts(PlacedVolume bodies, SegmentedVolume faint) {
     List<PosedBits> posed = PosedBits.of(bodies.rest(), bodies.poses());
+    List<Mobility> mobilities = bodies.placements().stream().map(Placement::mobility).toList();
+    boolean readsAll = !mobilities.contains(Mobility.MOVABLE);
     for (int n = 0; n < posed.size(); n++) {
-      if (bodies.placements().get(n).mobility() == Mobility.MOVABLE) {
+      if (readsAll || mobilities.get(n) == Mobility.MOVABLE) {
         String name = names.get(n);
         GhostReading.of(posed.get(n), faint)
             .forEach(reading -> toGhosts.add(new ToGhost(name, reading)));

@@ -9,6 +9,7 @@ import java.util.Optional;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.label.SegmentBuilder;
 import org.palpate.io.label.SegmentSpec;
+import org.palpate.io.mesh.MeshFiles;
 import org.palpate.io.volume.AxisSigns;
 import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.io.volume.ReadOptions;
@@ -38,42 +39,39 @@ public record Ghosts(SegmentedVolume segments, List<Path> files, List<String> no
    * Reads ghosts. The first is called ghost, the others ghost2, ghost3 and so on.
    *
    * @param texts {@code FILE} or {@code FILE:RULE} for each, at least one, with a rule as in {@code
-   *     --segment}; without one, a ghost is all that is not 0
+   *     --segment}; without one, a ghost is all that is not 0. The file may be a closed mesh
    * @param world the directions of the scene's world axes, into which files are turned
-   * @throws VolumeFormatException if a file cannot be read, a rule is not understood, or a ghost
-   *     has no voxel
+   * @throws VolumeFormatException if a file cannot be read, a mesh is open, a rule is not
+   *     understood, or a ghost has no voxel
    */
   public static Ghosts read(List<String> texts, CoordinateSystem world)
       throws VolumeFormatException {
-    List<Segment> segments = new ArrayList<>();
-    List<VoxelGrid> grids = new ArrayList<>();
-    List<Path> files = new ArrayList<>();
-    List<String> notes = new ArrayList<>();
+    List<Ghost> ghosts = new ArrayList<>();
     for (String text : texts) {
-      String name = segments.isEmpty() ? "ghost" : "ghost" + (segments.size() + 1);
+      String name = ghosts.isEmpty() ? "ghost" : "ghost" + (ghosts.size() + 1);
       Source source = Source.parse(text, name);
-      VolumeReader reader = VolumeFiles.open(source.file(), ReadOptions.defaults());
-      segments.add(source.read(reader));
-      files.addAll(reader.files());
-      VoxelGrid grid = reader.header().grid();
-      Optional<VoxelGrid> turned =
-          AxisSigns.convert(grid, reader.header().coordinateSystem(), world);
-      if (turned.isEmpty()) {
-        notes.add(BodyReader.unknownAxes(reader.sourceName()));
-      }
-      grids.add(turned.orElse(grid));
+      ghosts.add(
+          MeshFiles.accepts(source.file()) ? source.readMesh(world) : source.readVolume(world));
     }
-    return new Ghosts(new SegmentedVolume(grids.get(0), segments, grids), files, notes);
+    List<VoxelGrid> grids = ghosts.stream().map(Ghost::grid).toList();
+    List<Segment> segments = ghosts.stream().map(Ghost::segment).toList();
+    return new Ghosts(
+        new SegmentedVolume(grids.get(0), segments, grids),
+        ghosts.stream().flatMap(ghost -> ghost.files().stream()).toList(),
+        ghosts.stream().flatMap(ghost -> ghost.note().stream()).toList());
   }
 
-  /** The file of a ghost, and which of its voxels are solid. */
-  private record Source(String text, Path file, SegmentSpec spec) {
+  /** A ghost on its grid in the world of the scene, and what the user should know. */
+  private record Ghost(Segment segment, VoxelGrid grid, List<Path> files, Optional<String> note) {}
+
+  /** The file of a ghost, and which of its voxels are solid; {@code isAll} without a rule. */
+  private record Source(String text, Path file, SegmentSpec spec, boolean isAll) {
     /** Takes what follows a colon as a rule if it is one, and else as a part of the file's name. */
     static Source parse(String text, String name) throws VolumeFormatException {
       for (int colon = text.indexOf(':'); colon > 0; colon = text.indexOf(':', colon + 1)) {
         Optional<SegmentSpec> rule = rule(name, text.substring(colon + 1));
         if (rule.isPresent()) {
-          return new Source(text, path(text, colon), rule.get());
+          return new Source(text, path(text, colon), rule.get(), false);
         }
       }
       for (int colon = text.indexOf(':'); colon > 0; colon = text.indexOf(':', colon + 1)) {
@@ -84,7 +82,7 @@ public record Ghosts(SegmentedVolume segments, List<Path> files, List<String> no
               "write FILE, 'FILE:>=1500', FILE:300..900, FILE:label:7 or FILE:name:Mandible");
         }
       }
-      return new Source(text, path(text, text.length()), SegmentSpec.nonzero(name));
+      return new Source(text, path(text, text.length()), SegmentSpec.nonzero(name), true);
     }
 
     private static Optional<SegmentSpec> rule(String name, String text) {
@@ -100,11 +98,34 @@ public record Ghosts(SegmentedVolume segments, List<Path> files, List<String> no
         return Path.of(text.substring(0, end));
       } catch (InvalidPathException e) {
         throw new VolumeFormatException(
-            "this is no name of a file", "--ghost " + text, "name a volume file", e);
+            "this is no name of a file", "--ghost " + text, "name a volume file or a mesh", e);
       }
     }
 
-    Segment read(VolumeReader reader) throws VolumeFormatException {
+    /** Reads what a closed mesh encloses, as voxels of 1/256 of its longest side. */
+    Ghost readMesh(CoordinateSystem world) throws VolumeFormatException {
+      if (!isAll) {
+        throw new VolumeFormatException(
+            "a mesh has no values to choose from", "--ghost " + text, "name the mesh alone");
+      }
+      MeshBody mesh = MeshBody.read(file, world, 0);
+      Segment segment = new Segment(spec.name(), mesh.solid().bits(), RGB);
+      return new Ghost(segment, mesh.solid().grid(), List.of(file), mesh.note());
+    }
+
+    Ghost readVolume(CoordinateSystem world) throws VolumeFormatException {
+      VolumeReader reader = VolumeFiles.open(file, ReadOptions.defaults());
+      VoxelGrid grid = reader.header().grid();
+      Optional<VoxelGrid> turned =
+          AxisSigns.convert(grid, reader.header().coordinateSystem(), world);
+      Optional<String> note =
+          turned.isEmpty()
+              ? Optional.of(BodyReader.unknownAxes(reader.sourceName()))
+              : Optional.empty();
+      return new Ghost(segment(reader), turned.orElse(grid), reader.files(), note);
+    }
+
+    private Segment segment(VolumeReader reader) throws VolumeFormatException {
       SegmentSpec resolved = resolved(reader).withRgb(RGB);
       Segment segment = SegmentBuilder.read(reader, List.of(resolved)).segments().get(0);
       if (segment.bits().solidCount() == 0) {

@@ -14,7 +14,7 @@ import org.palpate.rigid.tool.TriangleMesh;
 import org.palpate.rigid.tool.VoxelSolid;
 
 /**
- * A closed mesh that is a body of a scene.
+ * A closed mesh that is a body of a scene, or a ghost.
  *
  * @param solid its voxels, which are cubes with corners at multiples of their edge in the world
  * @param note what the user should know of its axes
@@ -51,7 +51,7 @@ record MeshBody(VoxelSolid solid, Optional<String> note) {
     TriangleMesh mesh = MeshFiles.read(file, world);
     if (!mesh.isClosed()) {
       throw new VolumeFormatException(
-          "the mesh is open, so it is no body", file, "close its holes, and export it again");
+          "the mesh is open, so it has no inside", file, "close its holes, and export it again");
     }
     Vec3 size = mesh.high().sub(mesh.low(), new Vec3());
     double longestMm = Math.max(size.x, Math.max(size.y, size.z));
