@@ -148,9 +148,11 @@ class DisplayFaultsTest {
       await(process, out, () -> Files.readString(out).contains("force is on"));
       process.destroy(); // SIGTERM, as Ctrl-C is SIGINT
       assertTrue(process.waitFor(PATIENCE_S, TimeUnit.SECONDS), "the process does not end");
+      assertEquals(0, process.exitValue(), Files.readString(out));
     }
     assertTrue(Files.readString(out).contains("in contact"), "the measurements are printed");
     assertFalse(Files.readString(out).contains("Exception"), Files.readString(out));
+    assertFalse(Files.readString(out).contains("X11"), Files.readString(out));
   }
 
   @Test

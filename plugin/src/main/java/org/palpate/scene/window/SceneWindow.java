@@ -15,7 +15,9 @@ import com.jogamp.opengl.GLException;
 import com.jogamp.opengl.GLProfile;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.SceneState;
@@ -54,6 +56,8 @@ public final class SceneWindow implements AutoCloseable {
   private volatile long drawnTriangles;
   private volatile long allTriangles;
   private volatile long firstSurfaceMillis;
+  private final ReentrantLock showing = new ReentrantLock();
+  private final Object destruction = new Object();
   private volatile boolean ended;
   private volatile boolean displayLost;
 
@@ -104,10 +108,24 @@ public final class SceneWindow implements AutoCloseable {
    * @throws GraphicsException if the driver refuses
    */
   public void show() throws GraphicsException {
+    showing.lock();
     try {
-      panel.ifPresentOrElse(shown -> shown.put(window), () -> window.setVisible(true));
+      if (!ended) {
+        open();
+      }
     } catch (GLException | NativeWindowException e) {
       throw GraphicsDriver.refused(e);
+    } finally {
+      showing.unlock();
+    }
+  }
+
+  private void open() {
+    if (panel.isPresent()) {
+      panel.get().put(window);
+    } else {
+      OpenWindows.add(this);
+      window.setVisible(true);
     }
     model.onChange(drawing::request);
     drawing.start();
@@ -235,6 +253,21 @@ public final class SceneWindow implements AutoCloseable {
     fail(new IllegalStateException("the display is gone"));
   }
 
+  /** Closes the window as {@link #close} does, once it is shown if that goes on. */
+  void closeAtEnd() {
+    boolean isShown = false;
+    try {
+      isShown = showing.tryLock(CLOSE_WAIT_MILLIS, TimeUnit.MILLISECONDS);
+      close();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      if (isShown) {
+        showing.unlock();
+      }
+    }
+  }
+
   /** Closes the window without a report to the owner. Any thread, any number of times. */
   @Override
   public void close() {
@@ -255,6 +288,7 @@ public final class SceneWindow implements AutoCloseable {
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
+    OpenWindows.remove(this);
   }
 
   /**
@@ -263,11 +297,17 @@ public final class SceneWindow implements AutoCloseable {
    */
   private void destroy() {
     try {
+      destroyOnce();
+    } catch (GLException | NativeWindowException e) {
+      failure = e; // the display or the driver went first, and the window with it
+    }
+  }
+
+  private void destroyOnce() {
+    synchronized (destruction) {
       if (window.isNativeValid()) {
         window.destroy();
       }
-    } catch (GLException | NativeWindowException e) {
-      failure = e; // the display or the driver went first, and the window with it
     }
   }
 
