@@ -11,4 +11,9 @@ public interface TurnableDevice extends HapticDevice {
    * @param rotationVector axis times angle, world axes, rad; finite, at most pi in length
    */
   void turn(Vec3 rotationVector);
+
+  /** {@return whether a turn that is requested now has an effect} Any thread. */
+  default boolean isTurnable() {
+    return true;
+  }
 }

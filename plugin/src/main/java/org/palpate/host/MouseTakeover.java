@@ -56,6 +56,11 @@ public final class MouseTakeover extends DeviceDecorator implements TurnableDevi
     }
   }
 
+  @Override
+  public boolean isTurnable() {
+    return mouse.hasJumped();
+  }
+
   /** Reads the hand, or the mouse once it has pressed. */
   @Override
   public ReadStatus read(DeviceState state) {

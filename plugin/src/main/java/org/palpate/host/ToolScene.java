@@ -365,11 +365,12 @@ public final class ToolScene {
 
     /** Turns the body in hand by a rotation vector in world axes, rad. Returns whether it may. */
     boolean turn(Vec3 rotationVector) {
-      boolean turns = frame.heldBody() >= 0 && device instanceof TurnableDevice;
-      if (turns) {
-        ((TurnableDevice) device).turn(rotationVector);
+      if (frame.heldBody() >= 0 && device instanceof TurnableDevice turnable) {
+        boolean turns = turnable.isTurnable();
+        turnable.turn(rotationVector);
+        return turns;
       }
-      return turns;
+      return false;
     }
 
     /** Returns the pose of each body in the last frame that was taken, from rest to present. */

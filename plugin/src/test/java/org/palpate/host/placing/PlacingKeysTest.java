@@ -13,6 +13,7 @@ import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.HandOverBlocks;
+import org.palpate.host.MouseTakeover;
 
 /** Takes two blocks that lie over a floor in hand, in sessions without a window. */
 class PlacingKeysTest extends HandOverBlocks {
@@ -97,6 +98,22 @@ class PlacingKeysTest extends HandOverBlocks {
       keys.press(KeyEvent.VK_DOWN);
     }
     awaitTurned(before, new Vec3(Math.PI / 6, 0, 0));
+  }
+
+  @Test
+  void aSimulatedHandTurnsWhatItHoldsItselfUntilTheMouseTakesOver() throws InterruptedException {
+    MouseTakeover takeover =
+        new MouseTakeover(new Hand(hand, false), contact.handTarget(), 1_000_000);
+    start(takeover);
+    take(BLOCK, OVER_BLOCK);
+    RigidTransform before = pose(BLOCK);
+    keys.press(KeyEvent.VK_RIGHT);
+    keys.wheel(0, 1);
+    String hint = "the simulated hand turns it: press with the mouse to take over";
+    assertEquals(List.of(hint), hints.stream().distinct().toList());
+    long frames = session.status().frames();
+    await(() -> session.status().frames() > frames + 100);
+    assertEquals(0, distanceFromTurned(before, new Vec3()), 0.01);
   }
 
   @Test
