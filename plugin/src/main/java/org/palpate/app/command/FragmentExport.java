@@ -104,7 +104,8 @@ final class FragmentExport {
         written = elastic.withFills(written);
       }
       String format = VolumeWriter.write(new SegmentsAsLabels(written, bodies.world()), labels);
-      lines.add(OutputPaths.written(labels, format));
+      String which = writesRest(bodies) ? "; bodies at rest, as their poses are written" : "";
+      lines.add(OutputPaths.written(labels, format + which));
       if (!writesRest(bodies)) {
         lines.addAll(bodies.cutOff());
       }

@@ -24,7 +24,8 @@ final class PoseOptions {
       paramLabel = "DIR",
       description = {
         "Writes the pose of each such body as an ITK transform, BODY.tfm: from rest to present,"
-            + " LPS."
+            + " LPS. With --export, that file holds their voxels at rest, to which the transforms"
+            + " belong, unless they have several grids."
       })
   private Path savedTransforms;
 
