@@ -39,12 +39,18 @@ public final class SceneAutosave implements AutoCloseable {
   /** The poses that are saved, or with which the session began; empty before that. */
   private List<Pose> savedPoses = List.of();
 
-  private SegmentedVolume savedVoxels;
   private BodyGroups savedGroups;
+
+  /** The voxels to save: a copy if frames change them. */
+  private final SegmentedVolume voxels;
+
+  /** Whether the copy has changed since it was saved. */
+  private boolean isCut;
+
   private boolean hasFailed;
 
   /**
-   * Creates an autosave that does not run yet.
+   * Creates an autosave that does not run yet. Call it before the first frame.
    *
    * @param start the bodies of the session, whose voxels the frames change
    * @param cuts whether frames change voxels at all; only for bodies of one grid
@@ -74,6 +80,7 @@ public final class SceneAutosave implements AutoCloseable {
     this.frame = frame;
     this.target = target;
     this.failed = failed;
+    voxels = cuts ? copy(start.rest()) : start.rest();
     thread = new RepeatingThread("palpate-autosave", periodNanos, this::tick, () -> {});
   }
 
@@ -99,18 +106,19 @@ public final class SceneAutosave implements AutoCloseable {
     if (closed) {
       return;
     }
-    SegmentedVolume voxels = cuts ? copy(start.rest()) : start.rest();
+    isCut |= cuts && takeChanges();
     if (savedPoses.isEmpty()) {
-      keep(poses, voxels, groups);
-      return;
+      savedPoses = poses;
+      savedGroups = groups;
     }
-    boolean isCut = cuts && !haveSameVoxels(voxels, savedVoxels);
     if (!isCut && groups == savedGroups && haveSameBits(poses, savedPoses)) {
       return;
     }
     try {
       target.write(start.with(voxels).at(poses), isCut, groups);
-      keep(poses, voxels, groups);
+      savedPoses = poses;
+      savedGroups = groups;
+      isCut = false;
       hasFailed = false;
     } catch (IOException e) {
       if (!hasFailed) {
@@ -120,56 +128,40 @@ public final class SceneAutosave implements AutoCloseable {
     }
   }
 
-  private void keep(List<Pose> poses, SegmentedVolume voxels, BodyGroups groups) {
-    savedPoses = poses;
-    savedVoxels = voxels;
-    savedGroups = groups;
-  }
-
-  /**
-   * Copies voxels that frames may change meanwhile. A frame that copied poses before has published
-   * all changes up to then; a later change of a brick is in the copy or not.
-   */
   private static SegmentedVolume copy(SegmentedVolume volume) {
     List<Segment> copies = new ArrayList<>();
     for (Segment segment : volume.segments()) {
-      copies.add(new Segment(segment.name(), copy(segment.bits()), segment.rgb()));
+      copies.add(new Segment(segment.name(), segment.bits().copy(), segment.rgb()));
     }
     return new SegmentedVolume(volume.grid(), copies, volume.grids());
   }
 
-  private static BitCube copy(BitCube bits) {
-    BitCube copy = new BitCube(bits.sizeX(), bits.sizeY(), bits.sizeZ());
-    for (int z = 0; z < bits.bricksZ(); z++) {
-      for (int y = 0; y < bits.bricksY(); y++) {
-        for (int x = 0; x < bits.bricksX(); x++) {
-          copy.setBrick(x, y, z, bits.brick(x, y, z));
-        }
-      }
+  /**
+   * Takes the voxels that frames have changed, and returns whether there are any. A frame that has
+   * copied poses has published all changes before; a later change of a brick is taken or not.
+   */
+  private boolean takeChanges() {
+    boolean any = false;
+    for (int n = 0; n < voxels.segments().size(); n++) {
+      any |= takeChanges(start.rest().segments().get(n).bits(), voxels.segments().get(n).bits());
     }
-    return copy;
+    return any;
   }
 
-  private static boolean haveSameVoxels(SegmentedVolume one, SegmentedVolume other) {
-    for (int n = 0; n < one.segments().size(); n++) {
-      if (!isSame(one.segments().get(n).bits(), other.segments().get(n).bits())) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private static boolean isSame(BitCube one, BitCube other) {
-    for (int z = 0; z < one.bricksZ(); z++) {
-      for (int y = 0; y < one.bricksY(); y++) {
-        for (int x = 0; x < one.bricksX(); x++) {
-          if (one.brick(x, y, z) != other.brick(x, y, z)) {
-            return false;
+  private static boolean takeChanges(BitCube from, BitCube into) {
+    boolean any = false;
+    for (int z = 0; z < from.bricksZ(); z++) {
+      for (int y = 0; y < from.bricksY(); y++) {
+        for (int x = 0; x < from.bricksX(); x++) {
+          long word = from.brick(x, y, z);
+          if (word != into.brick(x, y, z)) {
+            into.setBrick(x, y, z, word);
+            any = true;
           }
         }
       }
     }
-    return true;
+    return any;
   }
 
   private static boolean haveSameBits(List<Pose> one, List<Pose> other) {
