@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.palpate.body.Body;
@@ -26,6 +28,7 @@ class LargePlacementTest extends HeldBlocks {
   private final EditQueue edits = EditQueue.ofBodies(bodies.grids());
   private final ToolFrame frame = newFrame(new ScriptedDevice(this::sample), bodies, edits, 10_000);
   private final Pose start = new Pose().set(block.pose());
+  private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
   @Override
   ToolFrame frame() {
@@ -71,6 +74,31 @@ class LargePlacementTest extends HeldBlocks {
     run(50);
     assertTrue(undo.isDone());
     assertTrue(other.pose().sameBits(near), "the last placement is undone: " + other.pose());
+  }
+
+  @Test
+  void theLookAllocatesNothing() {
+    placeBlockAboveWhileTheOtherComesNear();
+    long least = Long.MAX_VALUE;
+    long leastIdle = 0; // what the scripted device keeps
+    for (int round = 0; round < 200 && least > leastIdle; round++) {
+      HistoryEdit undo = HistoryEdit.undo();
+      assertTrue(edits.offer(undo));
+      long before = threads.getCurrentThreadAllocatedBytes();
+      run(2);
+      assertFalse(undo.isDone());
+      run(40);
+      least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
+      assertTrue(undo.isDone());
+      assertTrue(block.pose().sameBits(start), block.pose()::toString);
+      assertTrue(edits.offer(HistoryEdit.redo()));
+      run(40);
+      before = threads.getCurrentThreadAllocatedBytes();
+      run(42);
+      long idle = threads.getCurrentThreadAllocatedBytes() - before;
+      leastIdle = round == 0 ? idle : Math.min(leastIdle, idle);
+    }
+    assertTrue(least <= leastIdle, least + " bytes, without undo " + leastIdle);
   }
 
   private void placeBlockAboveWhileTheOtherComesNear() {
