@@ -48,15 +48,8 @@ class BodyReaderTest {
     Files.write(folder.resolve(name), bytes);
   }
 
-  /** Writes a box from the origin to (4, 3, 5), without its last face if it is open. */
   private void mesh(String name, String comment, boolean isOpen) throws IOException {
-    StringBuilder text = new StringBuilder("# " + comment + "\n");
-    for (int n = 0; n < 8; n++) {
-      text.append("v ").append((n & 1) * 4).append(' ').append((n >> 1 & 1) * 3);
-      text.append(' ').append((n >> 2) * 5).append('\n');
-    }
-    String faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\n";
-    Files.writeString(folder.resolve(name), text + faces + (isOpen ? "" : "f 2 4 8 6\n"));
+    BoxMesh.write(folder.resolve(name), comment, isOpen);
   }
 
   /** Reads a scene of bodies, each {@code volume:FILE} or {@code mesh:FILE}. */

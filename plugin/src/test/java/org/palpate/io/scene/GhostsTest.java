@@ -70,20 +70,9 @@ class GhostsTest {
         ghosts.notes());
   }
 
-  /** Writes a box from the origin to (4, 3, 5), without its last face if it is open. */
-  private Path mesh(String name, boolean isOpen) throws IOException {
-    StringBuilder text = new StringBuilder("# SPACE=RAS\n");
-    for (int n = 0; n < 8; n++) {
-      text.append("v ").append((n & 1) * 4).append(' ').append((n >> 1 & 1) * 3);
-      text.append(' ').append((n >> 2) * 5).append('\n');
-    }
-    String faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\n";
-    return Files.writeString(folder.resolve(name), text + faces + (isOpen ? "" : "f 2 4 8 6\n"));
-  }
-
   @Test
   void aClosedMeshIsAGhostOfFineVoxelsInTheWorldOfTheScene() throws IOException {
-    Path file = mesh("box.obj", false);
+    Path file = BoxMesh.write(folder.resolve("box.obj"), "SPACE=RAS", false);
     Ghosts ghosts = read("" + volume("a.nrrd", "space: left-posterior-superior\n"), "" + file);
     assertEquals("ghost2", ghosts.segments().segments().get(1).name());
     VoxelGrid grid = ghosts.segments().grid(1);
@@ -100,10 +89,10 @@ class GhostsTest {
   @Test
   void anOpenMeshAndOneWithARuleAreRefusedInOneLine() throws IOException {
     mustRefuse(
-        mesh("box.obj", false) + ":>=2",
+        BoxMesh.write(folder.resolve("box.obj"), "SPACE=RAS", false) + ":>=2",
         "a mesh has no values to choose from",
         "name the mesh alone");
-    Path open = mesh("open.obj", true);
+    Path open = BoxMesh.write(folder.resolve("open.obj"), "SPACE=RAS", true);
     String refusal = assertThrows(VolumeFormatException.class, () -> read("" + open)).getMessage();
     assertEquals(
         "the mesh is open, so it has no inside: " + open + ": close its holes, and export it again",
