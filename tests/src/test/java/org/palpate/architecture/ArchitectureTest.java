@@ -88,6 +88,7 @@ class ArchitectureTest {
                   "benchmarks.elastic",
                   "benchmarks.fracture",
                   "benchmarks.gpu",
+                  "benchmarks.hold",
                   "benchmarks.nearest",
                   "benchmarks.rigid",
                   "benchmarks.speed",
@@ -97,6 +98,13 @@ class ArchitectureTest {
           Map.entry("benchmarks.elastic", List.of("benchmarks.rigid", "frame", "volume.phantom")),
           Map.entry("benchmarks.gpu", List.of("benchmarks.report", "benchmarks.rigid", "opencl")),
           Map.entry("benchmarks.fracture", List.of("benchmarks.rigid", "reduction")),
+          Map.entry(
+              "benchmarks.hold",
+              List.of(
+                  "benchmarks",
+                  "benchmarks.jitter.experiment",
+                  "benchmarks.rigid",
+                  "host.placing")),
           Map.entry("benchmarks.input", List.of("device", "io", "raycast")),
           Map.entry(
               "benchmarks.jitter",

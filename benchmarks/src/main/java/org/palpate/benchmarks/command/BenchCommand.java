@@ -18,6 +18,7 @@ import org.palpate.benchmarks.carve.CarveRun;
 import org.palpate.benchmarks.elastic.ElasticRun;
 import org.palpate.benchmarks.fracture.FractureRun;
 import org.palpate.benchmarks.gpu.GpuRun;
+import org.palpate.benchmarks.hold.HoldRun;
 import org.palpate.benchmarks.nearest.NearestRun;
 import org.palpate.benchmarks.rigid.RigidRun;
 import org.palpate.benchmarks.speed.CppComparison;
@@ -58,6 +59,7 @@ import picocli.CommandLine.Spec;
       "  palpate bench --carve --frames 20000000 --seed 8",
       "  palpate bench --elastic --quick --out figures",
       "  palpate bench --fracture --quick --out figures",
+      "  palpate bench --hold --out figures",
       "  palpate bench --gpu --quick --out figures",
       "  palpate bench --stress --frames 20000000 --seed 7",
       "  palpate bench --skips --scale --stability --quick"
@@ -121,6 +123,14 @@ public final class BenchCommand implements Callable<Integer> {
               + " truth. The jaw is that of CThead in the folder of -Dpalpate.data"
               + " (../shared/data).")
   private boolean fracture;
+
+  @Option(
+      names = "--hold",
+      description =
+          "Frames of sessions in which the hand holds one of eight fragments of a bone, with a"
+              + " window and without: processor time, and lateness beside the loop in C++. Draws,"
+              + " so it needs OpenGL.")
+  private boolean hold;
 
   @Option(
       names = "--gpu",
@@ -215,7 +225,7 @@ public final class BenchCommand implements Callable<Integer> {
     List<SpeedStudy> speeds = speedStudies();
     Attack attack = attack();
     Path data = table1Data();
-    if ((sync || skips) && !GraphicsDriver.hasDisplay()) {
+    if ((sync || skips || hold) && !GraphicsDriver.hasDisplay()) {
       return new VirtualDisplay().rerun(spec.commandLine().getParseResult().originalArgs());
     }
     Report report = new Report("bench", output.report(), List.of());
@@ -262,6 +272,7 @@ public final class BenchCommand implements Callable<Integer> {
     addIf(carve, StudyDuration.CARVE, others);
     addIf(elastic, StudyDuration.ELASTIC, others);
     addIf(fracture, StudyDuration.FRACTURE, others);
+    addIf(hold, StudyDuration.HOLD, others);
     addIf(gpu, StudyDuration.GPU, others);
     addIf(sync, StudyDuration.SYNC, others);
     addIf(surfaces, StudyDuration.SURFACES, others);
@@ -311,7 +322,7 @@ public final class BenchCommand implements Callable<Integer> {
   }
 
   private boolean hasOtherStudy() {
-    return hasSeed() || stability || accuracy || gpu || sync || cpp || surfaces;
+    return hasSeed() || stability || accuracy || hold || gpu || sync || cpp || surfaces;
   }
 
   /** Whether a study was chosen that takes a seed. */
@@ -362,6 +373,9 @@ public final class BenchCommand implements Callable<Integer> {
       report.put(
           "fracture_targets_missed",
           FractureRun.run(DATA, folder, quick, seed(), out(), progress()));
+    }
+    if (hold) {
+      report.put("hold_targets_missed", HoldRun.run(folder, quick, out(), progress()));
     }
     if (gpu) {
       report.put("gpus_measured", GpuRun.run(folder, quick, out(), progress()));

@@ -18,6 +18,7 @@ enum StudyDuration {
   CARVE(Double.NaN, 60),
   ELASTIC(Double.NaN, 110),
   FRACTURE(Double.NaN, 90),
+  HOLD(360, 30),
   GPU(Double.NaN, 90),
   SYNC(83, 22),
   SURFACES(38, 38);

@@ -31,6 +31,8 @@ public enum StudyTable {
   ELASTIC("elastic.csv", Columns.FIGURES),
   /** Figures of broken bones that a simulated hand puts together. */
   FRACTURE("fracture.csv", Columns.FIGURES),
+  /** Frames of sessions in which the hand holds a fragment. */
+  HOLD("hold.csv", Columns.FIGURES),
   /** Times of judging legs by device and number. */
   GPU("gpu.csv", "device,points,part,frames,least_us,p50_us,p99_us,p99_9_us,max_us"),
   /** Launches of a device that sliding tools need. */

@@ -4,10 +4,10 @@ import com.sun.management.ThreadMXBean;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.palpate.benchmarks.report.OwnProcess;
 import org.palpate.geometry.Pose;
 import org.palpate.loop.Median;
 
@@ -44,25 +44,10 @@ final class FrameTimer {
   /** Starts a process and returns the times of all conditions in order. */
   static List<Times> inProcessOfItsOwn(int warmUp, int frames)
       throws IOException, InterruptedException {
-    ProcessBuilder builder =
-        new ProcessBuilder(
-            ProcessHandle.current().info().command().orElse("java"),
-            "-cp",
-            System.getProperty("java.class.path"),
-            FrameTimer.class.getName(),
-            Integer.toString(warmUp),
-            Integer.toString(frames));
-    Process process = builder.redirectError(ProcessBuilder.Redirect.INHERIT).start();
-    try {
-      String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-      int exit = process.waitFor();
-      if (exit != 0) {
-        throw new IOException("the process that times frames ended with " + exit);
-      }
-      return text.lines().map(FrameTimer::parse).toList();
-    } finally {
-      process.destroyForcibly();
-    }
+    List<String> arguments = List.of(Integer.toString(warmUp), Integer.toString(frames));
+    return OwnProcess.lines(FrameTimer.class, List.of(), arguments).stream()
+        .map(FrameTimer::parse)
+        .toList();
   }
 
   private static Times parse(String line) {

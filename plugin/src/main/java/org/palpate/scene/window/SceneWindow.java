@@ -223,6 +223,11 @@ public final class SceneWindow implements AutoCloseable {
     return renderer.culledBricks();
   }
 
+  /** Returns the number of triangles in the last picture; 0 before the first. */
+  public long drawnTriangles() {
+    return drawnTriangles;
+  }
+
   /**
    * Returns the number of drawn and of all triangles for the overlay; empty before the first
    * picture.

@@ -69,8 +69,13 @@ public record Experiment(
         0);
   }
 
-  /** Returns a control experiment in C++. */
-  static Experiment control(WaitKind waiting, Scheduling scheduling, int seconds, int repeat) {
+  /**
+   * Returns a control experiment in C++.
+   *
+   * @param repeat a number from 0 that distinguishes intended repetitions
+   */
+  public static Experiment control(
+      WaitKind waiting, Scheduling scheduling, int seconds, int repeat) {
     return new Experiment(
         null,
         null,

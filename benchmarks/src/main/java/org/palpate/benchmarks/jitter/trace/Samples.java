@@ -8,6 +8,7 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.stream.IntStream;
 
 /**
  * The samples of a loop's frames, in memory and as a file.
@@ -75,6 +76,11 @@ public final class Samples {
   /** Returns the time from the deadline to the start, ns. */
   long lateness(int frame) {
     return start(frame) - due(frame);
+  }
+
+  /** Returns the time from the deadline to the start of each frame, us. */
+  public double[] latenessMicros() {
+    return IntStream.range(0, count).mapToDouble(frame -> lateness(frame) / 1e3).toArray();
   }
 
   /** Returns the duration of the work, ns. */
