@@ -14,7 +14,8 @@ import org.palpate.volume.BitCube;
  *
  * <p>A leg from one point above a plane to another stays above it. Let a box hold a node at both
  * poses. The legs of the node are free if the node is at both poses above the highest solid in the
- * box. Heights allow for rounding.
+ * box. Heights allow for rounding. Between rough faces this may cost more than it saves; {@link
+ * ScreenTrial} finds that out.
  *
  * <p>The answers change no result, only the work. Haptic thread only; allocates nothing.
  */
@@ -43,6 +44,8 @@ public final class HeightScreen {
 
   /** The number of verifications in which each node is still left untested. */
   private final byte[] wait;
+
+  private final ScreenTrial trial = new ScreenTrial();
 
   private double roundingCells;
 
@@ -155,6 +158,7 @@ public final class HeightScreen {
       versionSeen = version;
       heights.forget();
     }
+    trial.begin();
     roundingCells = rounding;
     atStart.set(from);
     atEnd.set(to);
@@ -162,6 +166,9 @@ public final class HeightScreen {
 
   /** Ends a verification; nothing is known to be above any more. */
   public void end() {
+    if (isOn) {
+      trial.end();
+    }
     isOn = false;
     ground = Double.POSITIVE_INFINITY;
   }
@@ -175,11 +182,17 @@ public final class HeightScreen {
     if (!isOn) {
       return false;
     }
+    int points = tree.isLeaf(node) ? tree.end(node) - tree.first(node) : 0;
+    if (!trial.asks(points)) {
+      ground = Double.POSITIVE_INFINITY;
+      return false;
+    }
     if (wait[node] > 0) {
       wait[node]--;
       ground = Double.POSITIVE_INFINITY;
       return false;
     }
+    trial.countAnswer();
     atStart.cover(node);
     atEnd.cover(node);
     double most =
@@ -192,8 +205,9 @@ public final class HeightScreen {
             Math.max(atStart.middleZ + atStart.halfZ, atEnd.middleZ + atEnd.halfZ) + roundingCells);
     ground = most + 2 * roundingCells;
     boolean isAbove = atStart.lowest(node) > ground && atEnd.lowest(node) > ground;
-    if (!isAbove && !tree.isLeaf(node)) {
-      wait[node] = NODE_WAIT;
+    if (!isAbove) {
+      trial.countPoints(points);
+      wait[node] = tree.isLeaf(node) ? 0 : NODE_WAIT;
     }
     return isAbove;
   }
