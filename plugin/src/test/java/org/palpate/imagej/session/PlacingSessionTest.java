@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import ij.ImagePlus;
 import ij.ImageStack;
 import ij.io.FileInfo;
+import ij.macro.Interpreter;
 import ij.process.ByteProcessor;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -142,10 +143,33 @@ class PlacingSessionTest {
       assertEquals(pose, session.pose("label 7"));
       assertTrue(session.session().toolFrame().orElseThrow().groups().isLocked(1));
       assertTrue(autosaved().contains(".labels.tif.autosave2.json.lock"));
+      endInOrder(session);
     }
-    assertEquals(3, autosaved().size());
+    assertEquals(3, autosaved().size(), "its own are deleted, what it resumed stays");
     try (PlacingSession session = new PlacingSession(stack, options(0))) {
       assertEquals("0.0,0.0,0.0,1.0,0.0,0.0,0.0", session.pose("label 7"));
+    }
+  }
+
+  /** Runs a session until it has saved a change, and lets it show its result. */
+  private void endInOrder(PlacingSession session) throws Exception {
+    Path own = folder.resolve("labels.tif.autosave2.json");
+    Thread runner = new Thread(() -> run(session));
+    runner.start();
+    session.awaitForce();
+    LockSupport.parkNanos(500_000_000L);
+    session.move("label 7", "6,0,0,1,0,0,0");
+    while (!Files.exists(own)) {
+      LockSupport.parkNanos(10_000_000L);
+    }
+    session.requestStop();
+    runner.join();
+    boolean shows = Interpreter.batchMode;
+    Interpreter.batchMode = true; // a result is shown without a window
+    try {
+      session.finish();
+    } finally {
+      Interpreter.batchMode = shows;
     }
   }
 
