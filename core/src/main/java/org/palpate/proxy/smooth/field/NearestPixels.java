@@ -30,7 +30,7 @@ final class NearestPixels {
   private static final int OFF = 0xF;
   private static final int ALONG = 4;
 
-  private final SliceBits bits;
+  private final Sought sought;
   private final PixelEdges edges;
 
   /** The steps in the order of distance: rows away in the low four bits, then pixels along. */
@@ -45,8 +45,43 @@ final class NearestPixels {
    */
   private final long[] spread = new long[REACH + 1];
 
-  NearestPixels(SliceBits bits, PixelEdges edges) {
-    this.bits = bits;
+  /** The pixels that searches look for: those that are of a kind in a slice and in a second one. */
+  static final class Sought {
+    private final SliceBits bits;
+    private int slice;
+    private int other;
+    private boolean solid;
+
+    Sought(SliceBits bits) {
+      this.bits = bits;
+    }
+
+    /**
+     * Sets which pixels are sought from now on.
+     *
+     * @param other the slice in which the pixels have to be of the kind as well, or the same one
+     * @param solid whether solid or empty pixels are sought
+     */
+    void set(int slice, int other, boolean solid) {
+      this.slice = slice;
+      this.other = other;
+      this.solid = solid;
+    }
+
+    /** Makes both slices hold the bricks that lie up to {@code reach} bricks around a brick. */
+    void cover(int brickU, int brickV, int reach) {
+      bits.cover(brickU, brickV, slice, reach);
+      bits.cover(brickU, brickV, other, reach);
+    }
+
+    /** Returns the pixels of row v that are sought, a bit each. Only covered pixels are valid. */
+    long row(int v) {
+      return bits.rowOfBoth(v, slice, other, solid);
+    }
+  }
+
+  NearestPixels(Sought sought, PixelEdges edges) {
+    this.sought = sought;
     this.edges = edges;
     List<Integer> inOrder = stepsInOrder();
     steps = new byte[inOrder.size()];
@@ -87,31 +122,21 @@ final class NearestPixels {
   }
 
   /**
-   * Finds the nearest pixels of a kind around the tile of brick (u,v). Pixels that the steps reach
-   * must be covered.
+   * Finds the nearest pixels that are sought around the tile of brick (u,v). Pixels that the steps
+   * reach must be covered.
    *
-   * @param other the slice in which the pixels have to be of the kind as well, or the same one
-   * @param solid whether the nearest solid or the nearest empty pixel is sought
-   * @param columns the pixels of the tile for which a nearest pixel is sought, a bit each; they are
-   *     of the other kind
+   * @param columns the pixels of the tile for which a nearest pixel is sought, a bit each; none of
+   *     them is one itself
    * @param end the steps of the search, see {@link #stepsBefore}
    * @param dest receives the distance to the outline for each pixel that is returned
    * @return the pixels of {@code columns} for which one was found
    */
-  int find(
-      int brickU,
-      int brickV,
-      int slice,
-      int other,
-      boolean solid,
-      int columns,
-      int end,
-      double[] dest) {
+  int find(int brickU, int brickV, int columns, int end, double[] dest) {
     int turn = 4 * brickU - REACH;
     int v = 4 * brickV;
     long up = 0;
     for (int n = 0; n < 4; n++) {
-      up |= row(v + n, slice, other, solid, turn) << (ROW_BITS * n);
+      up |= row(v + n, turn) << (ROW_BITS * n);
     }
     long down = up;
     spread[0] = up;
@@ -120,8 +145,8 @@ final class NearestPixels {
       int off = steps[n] & OFF;
       int along = steps[n] >> ALONG;
       if (along == 0) {
-        up = up >>> ROW_BITS | row(v + 3 + off, slice, other, solid, turn) << (3 * ROW_BITS);
-        down = down << ROW_BITS | row(v - off, slice, other, solid, turn);
+        up = up >>> ROW_BITS | row(v + 3 + off, turn) << (3 * ROW_BITS);
+        down = down << ROW_BITS | row(v - off, turn);
         spread[off] = up | down;
       } else {
         spread[off] |= spread[off] << 1 | spread[off] >>> 1;
@@ -135,9 +160,9 @@ final class NearestPixels {
     return columns & ~gathered(left);
   }
 
-  /** Returns the pixels of a kind in a row, with column 0 of the tile at bit REACH. */
-  private long row(int v, int slice, int other, boolean solid, int turn) {
-    return Long.rotateRight(bits.rowOfBoth(v, slice, other, solid), turn) & ROW;
+  /** Returns the pixels of a row that are sought, with column 0 of the tile at bit REACH. */
+  private long row(int v, int turn) {
+    return Long.rotateRight(sought.row(v), turn) & ROW;
   }
 
   /** Returns the columns of a tile as bits of a word. */

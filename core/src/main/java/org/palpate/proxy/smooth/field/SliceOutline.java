@@ -34,6 +34,7 @@ final class SliceOutline {
   private static final double ROUNDING = 1e-4;
 
   private final SliceBits bits;
+  private final NearestPixels.Sought sought;
   private final NearestPixels nearest;
   private final PixelEdges edges;
   private final int reach;
@@ -88,7 +89,8 @@ final class SliceOutline {
     this.bits = bits;
     this.edges = edges;
     this.reach = reach;
-    nearest = new NearestPixels(bits, edges);
+    sought = new NearestPixels.Sought(bits);
+    nearest = new NearestPixels(sought, edges);
     endOfNear = edges.nearestBeyond(NearestPixels.REACH);
     endSquare = (reach + 1) * (reach + 1);
     reachU = pixels(edges.u());
@@ -161,11 +163,11 @@ final class SliceOutline {
    */
   void measure(
       int brickU, int brickV, int slice, int other, boolean solid, int columns, double[] dest) {
+    sought.set(slice, other, solid);
     int left = columns;
     for (int ring = 0; left != 0 && ring < ringBricks.length; ring++) {
-      bits.cover(brickU, brickV, slice, ringBricks[ring]);
-      bits.cover(brickU, brickV, other, ringBricks[ring]);
-      left &= ~measureWithin(ring, brickU, brickV, slice, other, solid, left, dest);
+      sought.cover(brickU, brickV, ringBricks[ring]);
+      left &= ~measureWithin(ring, brickU, brickV, left, dest);
     }
     for (; left != 0; left &= left - 1) {
       dest[Integer.numberOfTrailingZeros(left)] = reach;
@@ -173,28 +175,19 @@ final class SliceOutline {
   }
 
   /** Measures the columns whose outline lies within the bricks of a ring; returns them. */
-  private int measureWithin(
-      int ring,
-      int brickU,
-      int brickV,
-      int slice,
-      int other,
-      boolean solid,
-      int columns,
-      double[] dest) {
+  private int measureWithin(int ring, int brickU, int brickV, int columns, double[] dest) {
     boolean isNear = ringEnds[ring] <= endOfNear;
     boolean areFew = Integer.bitCount(columns) <= FEW_COLUMNS;
     if (isNear && areFew) {
-      return measureEach(ringEnds[ring], brickU, brickV, slice, other, solid, columns, dest);
+      return measureEach(ringEnds[ring], brickU, brickV, columns, dest);
     }
     int along = 4 * ringBricks[ring];
-    if (!isAnyWithin(
-        Math.min(along, reachU), Math.min(along, reachV), brickU, brickV, slice, other, solid)) {
+    if (!isAnyWithin(Math.min(along, reachU), Math.min(along, reachV), brickU, brickV)) {
       return 0;
     }
     return isNear
-        ? nearest.find(brickU, brickV, slice, other, solid, columns, nearSteps[ring], dest)
-        : measureEach(ringEnds[ring], brickU, brickV, slice, other, solid, columns, dest);
+        ? nearest.find(brickU, brickV, columns, nearSteps[ring], dest)
+        : measureEach(ringEnds[ring], brickU, brickV, columns, dest);
   }
 
   /**
@@ -203,21 +196,13 @@ final class SliceOutline {
    * @param end the squared distance from which on pixels do not count
    * @return those for which a pixel was found
    */
-  private int measureEach(
-      double end,
-      int brickU,
-      int brickV,
-      int slice,
-      int other,
-      boolean solid,
-      int columns,
-      double[] dest) {
+  private int measureEach(double end, int brickU, int brickV, int columns, double[] dest) {
     int found = 0;
     for (int left = columns; left != 0; left &= left - 1) {
       int column = Integer.numberOfTrailingZeros(left);
       int u = 4 * brickU + (column & 3);
       int v = 4 * brickV + (column >> 2);
-      if (findNearest(u, v, slice, other, solid, end)) {
+      if (findNearest(u, v, end)) {
         dest[column] = Math.min(reach, distanceToNearest());
         found |= 1 << column;
       }
@@ -225,13 +210,12 @@ final class SliceOutline {
     return found;
   }
 
-  /** Whether a rectangle around the pixels of a tile holds any pixel of a kind. */
-  private boolean isAnyWithin(
-      int alongU, int alongV, int brickU, int brickV, int slice, int other, boolean solid) {
+  /** Whether a rectangle around the pixels of a tile holds any pixel that is sought. */
+  private boolean isAnyWithin(int alongU, int alongV, int brickU, int brickV) {
     long columns = Long.rotateLeft(-1L >>> (SliceBits.EDGE - 4 - 2 * alongU), 4 * brickU - alongU);
     long any = 0;
     for (int v = 4 * brickV - alongV; v < 4 * brickV + 4 + alongV; v++) {
-      any |= bits.rowOfBoth(v, slice, other, solid);
+      any |= sought.row(v);
     }
     return (any & columns) != 0;
   }
@@ -244,23 +228,22 @@ final class SliceOutline {
    * @param solid whether the nearest solid or the nearest empty pixel is sought
    */
   double distance(int u, int v, int slice, int other, boolean solid) {
-    boolean found = findNearest(u, v, slice, other, solid, endSquare);
+    sought.set(slice, other, solid);
+    boolean found = findNearest(u, v, endSquare);
     return found ? Math.min(reach, distanceToNearest()) : reach;
   }
 
   /**
-   * Finds the nearest pixel of a kind. Among equally near pixels, it takes the one the fewest rows
-   * away.
+   * Finds the nearest pixel that is sought. Among equally near pixels, it takes the one the fewest
+   * rows away.
    *
    * @param end the squared distance from which on pixels do not count
    * @return false if there is none
    */
-  private boolean findNearest(int u, int v, int slice, int other, boolean solid, double end) {
+  private boolean findNearest(int u, int v, double end) {
     double best = end;
     for (int off = 0; off <= reachV && squaresV[off] < best; off++) {
-      long rows =
-          bits.rowOfBoth(v + off, slice, other, solid)
-              | bits.rowOfBoth(v - off, slice, other, solid);
+      long rows = sought.row(v + off) | sought.row(v - off);
       int along = pixelsAlong(Long.rotateRight(rows, u - MIDDLE));
       double square = squaresU[along] + squaresV[off];
       if (square < best) {
@@ -299,7 +282,8 @@ final class SliceOutline {
    * @param solid the kind of pixels outside; one of them is within reach
    */
   double distanceOpposite(int u, int v, int slice, boolean solid) {
-    boolean found = findNearest(u, v, slice, slice, solid, endSquare);
+    sought.set(slice, slice, solid);
+    boolean found = findNearest(u, v, endSquare);
     assert found : "no pixel within reach of u=" + u + " v=" + v;
     long flip = solid ? 0 : -1;
     long rowBelow = Long.rotateRight(bits.row(v - nearestOff, slice) ^ flip, u - MIDDLE);
