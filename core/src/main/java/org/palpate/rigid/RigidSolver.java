@@ -44,9 +44,7 @@ public final class RigidSolver {
   /** The longest approach of a frame in contact, edges; 1.5 times the device's motion if more. */
   private static final double CATCH_UP_EDGES = 2;
 
-  /**
-   * While the device moves, later steps of a frame that are shorter than this are left out, edges.
-   */
+  /** While the device moves, later steps of a frame that are shorter are left out, edges. */
   private static final double CORRECTION_EDGES = 0.01;
 
   /** A step that lowers the potential by less than this ends its frame, edges. */
@@ -58,15 +56,19 @@ public final class RigidSolver {
   /** A frame that lowers the potential by less than this is stuck, edges. */
   private static final double STUCK_EDGES = 0.02;
 
+  /** While the device moves, a body takes steps along faces only this near to the device, edges. */
+  private static final double FACES_WITHIN_EDGES = 4;
+
   /** The number of points whose clearance levels are tested in a frame. */
   private static final int LEVELS_PER_FRAME = 400;
+
+  final WorkBudget budget;
 
   private final RigidScene scene;
   private final int hand;
   private final RigidTool tool;
   private final MoverVerifier verifier;
   private final BodyMover bodies;
-  private final WorkBudget budget;
   private final RigidStepper stepper;
   private final FreePoseSearch freeing;
   private final boolean leavesSurface;
@@ -208,10 +210,7 @@ public final class RigidSolver {
     verifier.carryNone();
   }
 
-  /**
-   * {@return whether somebody set the pose of a body unverified, so that the tool must be placed
-   * again}
-   */
+  /** {@return whether the tool must be placed again: a body's pose was set unverified} */
   public boolean wasBodyMoved() {
     return scene.wasBodyMoved();
   }
@@ -440,9 +439,8 @@ public final class RigidSolver {
     double catchUpMm = Math.max(CATCH_UP_EDGES * edgeMm, 1.5 * motionMm);
     double before = stepper.distanceMm();
     double startMm = potentialMm();
-    budget.beginLifts(motionMm > 0);
+    budget.beginApproach(motionMm > 0);
     while (canContinue(motion) && !verifier.pose().sameBits(lastTarget)) {
-      boolean first = !motion.hasFollowed();
       double pathLeftMm = maxStepMm - motion.pathMm;
       double mostMm =
           stepper.hasContacts()
@@ -455,13 +453,13 @@ public final class RigidSolver {
       if (stepper.stepStraight(mostMm, pathLeftMm)) {
         continue;
       }
-      double shortestMm = (first || motionMm == 0 ? 1e-9 : CORRECTION_EDGES) * edgeMm;
+      double shortestMm = (motion.hasFollowed() && motionMm > 0 ? CORRECTION_EDGES : 1e-9) * edgeMm;
       double mostRiseMm = Math.min(riseMm, Math.max(0, startMm + riseMm - last));
       boolean gained = stepper.step(mostRiseMm, mostMm, pathLeftMm, shortestMm) && hasGained(last);
       if (!gained && canContinue(motion) && mayHaveRoom(motionMm, startMm)) {
         gained = stepper.stepOnFaces(mostMm, maxStepMm - motion.pathMm) && hasGained(last);
       }
-      if (!gained && !(isStuck(startMm) && budget.hasLift() && lift(motion, budget.nextPull()))) {
+      if (!gained && !(isStuck(startMm) && canContinue(motion) && lift(motion))) {
         return;
       }
     }
@@ -474,12 +472,16 @@ public final class RigidSolver {
 
   /**
    * Whether contacts on the smooth surface contradict each other, so that there may be room between
-   * it and the voxels. While the device moves, only a body in hand goes there, and only if stuck.
+   * it and the voxels. While the device moves, only a body in hand goes there, if stuck near it.
    */
   private boolean mayHaveRoom(double motionMm, double startMm) {
     return motionMm == 0
         ? stepper.depthMm() > DEEP_EDGES * edgeMm
-        : leavesSurface && isStuck(startMm) && stepper.contacts.pushApart();
+        : leavesSurface
+            && budget.hasFaces()
+            && stepper.distanceMm() <= FACES_WITHIN_EDGES * edgeMm
+            && isStuck(startMm)
+            && stepper.contacts.pushApart();
   }
 
   private boolean hasGained(double potentialBefore) {
@@ -492,7 +494,7 @@ public final class RigidSolver {
         && !(motion.hasFollowed() && budget.isSpent());
   }
 
-  private boolean lift(ToolMotion motion, double pull) {
-    return canContinue(motion) && stepper.lift(pull, maxStepMm - motion.pathMm);
+  private boolean lift(ToolMotion motion) {
+    return budget.hasLift() && stepper.lift(budget.nextPull(), maxStepMm - motion.pathMm);
   }
 }

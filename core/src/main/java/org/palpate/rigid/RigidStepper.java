@@ -225,7 +225,7 @@ final class RigidStepper {
     shortestPathMm = leastPathMm;
     begin(riseMm);
     double fraction = 0;
-    for (int n = 0; n < MOST_PROPOSALS && (n == 0 || !budget.isSpent()); n++) {
+    for (int n = 0; n < MOST_PROPOSALS && (n == 0 || !budget.isSpent(onFaces)); n++) {
       if (!solve(riseMm)) {
         fraction = 0;
         break;
@@ -242,7 +242,7 @@ final class RigidStepper {
         break;
       }
     }
-    double part = fraction > 0 ? committedPart(fraction) : 0;
+    double part = fraction > 0 && (!onFaces || budget.hasFaces()) ? committedPart(fraction) : 0;
     takeDepth(part);
     keepContacts();
     return part > 0;

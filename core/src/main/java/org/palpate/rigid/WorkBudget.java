@@ -4,8 +4,8 @@ package org.palpate.rigid;
  * Counts the work of a frame and bounds it. The unit is the test of one point, about 50 ns. Work is
  * counted as if nothing were skipped, so that results are the same with and without skips.
  *
- * <p>It also says which lifts a frame may try. While the device moves and lifts do not help, they
- * become rarer. Haptic thread only.
+ * <p>It also says which lifts and which steps along faces of voxels a frame may try. While the
+ * device moves and lifts do not help, they become rarer. Haptic thread only.
  */
 final class WorkBudget {
   /** The work of solving a nearest-point problem. */
@@ -30,6 +30,7 @@ final class WorkBudget {
   private long testedBefore;
   private long otherWork;
   private long largestVerification;
+  private boolean moves;
   private int liftPause = 1;
   private int pauseLeft;
   private int nextLift;
@@ -65,9 +66,27 @@ final class WorkBudget {
     return verifier.tested() - testedBefore + otherWork;
   }
 
+  /** Returns the work after which the frame must end. */
+  long limit() {
+    return Math.max(LEAST_BUDGET, VERIFICATIONS * largestVerification);
+  }
+
   /** Whether the frame must end. */
   boolean isSpent() {
-    return work() >= Math.max(LEAST_BUDGET, VERIFICATIONS * largestVerification);
+    return work() >= limit();
+  }
+
+  /** Whether a step must end. */
+  boolean isSpent(boolean alongFaces) {
+    return isSpent() || (alongFaces && !hasFaces());
+  }
+
+  /**
+   * Whether a step along faces may begin, or try another part. While the device moves it may do so
+   * during the first half of the budget, but always during {@link #LEAST_BUDGET}.
+   */
+  boolean hasFaces() {
+    return !moves || work() < Math.max(LEAST_BUDGET, limit() / 2);
   }
 
   /** Lets the next frame try lifts. */
@@ -76,8 +95,13 @@ final class WorkBudget {
     pauseLeft = 0;
   }
 
-  /** Begins the lifts of a frame. It may try some if the device rests or the pause is over. */
-  void beginLifts(boolean moves) {
+  /**
+   * Begins the steps of a frame. It may try lifts if the device rests or the pause is over.
+   *
+   * @param deviceMoves whether the device has moved since the last frame
+   */
+  void beginApproach(boolean deviceMoves) {
+    moves = deviceMoves;
     nextLift = !moves || pauseLeft-- <= 0 ? 0 : PULLS.length;
   }
 

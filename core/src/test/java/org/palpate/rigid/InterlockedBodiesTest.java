@@ -2,22 +2,19 @@ package org.palpate.rigid;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
-import org.palpate.body.Mobility;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
 import org.palpate.rigid.tool.ToolSampler;
-import org.palpate.volume.BitCube;
+import org.palpate.testing.RoughBlocks;
 import org.palpate.volume.VoxelGrid;
 
 /** Two blocks whose rough faces fit each other column by column; a hand leads one home. */
 class InterlockedBodiesTest {
-  private static final int EDGE = 14;
+  private static final VoxelGrid GRID = VoxelGrid.ofUnitVoxels(14, 14, 14);
 
   /** Rough faces on which the smooth surface alone stops the body. */
   private static final long[] SEEDS = {7, 9, 16, 23};
@@ -57,7 +54,7 @@ class InterlockedBodiesTest {
 
   /** Returns how far from home the body stops that a hand leads straight down, a little askew. */
   private double residualMm(long seed, boolean leavesSurface) {
-    BodyScene scene = scene(new SplittableRandom(seed));
+    BodyScene scene = RoughBlocks.scene(new SplittableRandom(seed), GRID, 5, 8);
     MovableShapes shapes = MovableShapes.ofWholeBodies(scene, MARGIN_MM);
     RigidSettings settings = RigidSettings.of(8, Clearance.POINTS);
     RigidSolver tool =
@@ -78,23 +75,5 @@ class InterlockedBodiesTest {
       hand.follow(device, motion);
     }
     return hand.shape().metric().distance(motion.pose(), home);
-  }
-
-  private static BodyScene scene(SplittableRandom random) {
-    VoxelGrid grid = VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE);
-    BitCube low = new BitCube(EDGE, EDGE, EDGE);
-    BitCube high = new BitCube(EDGE, EDGE, EDGE);
-    for (int j = 0; j < EDGE; j++) {
-      for (int i = 0; i < EDGE; i++) {
-        int height = random.nextInt(5, 9);
-        for (int k = 0; k < EDGE; k++) {
-          (k < height ? low : high).set(i, j, k);
-        }
-      }
-    }
-    return new BodyScene(
-        List.of(
-            new Body("low", low, grid, Mobility.FIXED),
-            new Body("high", high, grid, Mobility.MOVABLE)));
   }
 }

@@ -3,12 +3,9 @@ package org.palpate.benchmarks.moving;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
-import org.palpate.body.Mobility;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
@@ -20,7 +17,7 @@ import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.ToolMotion;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
-import org.palpate.volume.BitCube;
+import org.palpate.testing.RoughBlocks;
 import org.palpate.volume.VoxelGrid;
 
 /**
@@ -56,7 +53,7 @@ class InterlockedLegsTest {
   /** Leads the block home, judges all its legs, and returns where it ends. */
   private Pose lastPose(long seed, boolean leavesSurface) {
     SplittableRandom random = new SplittableRandom(seed);
-    BodyScene scene = scene(random);
+    BodyScene scene = RoughBlocks.scene(random, VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE), 3, 5);
     MovableShapes shapes = MovableShapes.ofPoints(scene);
     RigidSettings settings = RigidSettings.of(8, Clearance.POINTS);
     RigidSolver tool = new RigidSolver(new RigidScene(scene, point, shapes, settings));
@@ -83,21 +80,5 @@ class InterlockedLegsTest {
     assertEquals(0, judge.touching(), "seed=" + seed);
     assertEquals(0, judge.broken(), "seed=" + seed);
     return new Pose().set(motion.pose());
-  }
-
-  private static BodyScene scene(SplittableRandom random) {
-    BitCube low = new BitCube(EDGE, EDGE, EDGE);
-    BitCube high = new BitCube(EDGE, EDGE, EDGE);
-    for (int column = 0; column < EDGE * EDGE; column++) {
-      int height = random.nextInt(3, 6);
-      for (int k = 0; k < EDGE; k++) {
-        (k < height ? low : high).set(column % EDGE, column / EDGE, k);
-      }
-    }
-    VoxelGrid grid = VoxelGrid.ofUnitVoxels(EDGE, EDGE, EDGE);
-    return new BodyScene(
-        List.of(
-            new Body("low", low, grid, Mobility.FIXED),
-            new Body("high", high, grid, Mobility.MOVABLE)));
   }
 }
