@@ -454,6 +454,40 @@ class SceneCommandTest {
   }
 
   @Test
+  void anEndInOrderWritesLocksAndAttachmentsBesideTheScene() throws IOException {
+    Path table = folder.resolve("s.groups.csv");
+    String groups =
+        "body,group,locked\nfragment1,1,0\nfragment2,2,1\nfragment3,3,0\nfragment4,2,1\n";
+    Files.writeString(table, groups);
+    Path left = folder.resolve("left.json");
+    Path leftTable = Files.writeString(folder.resolve("left.groups.csv"), "of an earlier scene");
+    Object[] touch = {
+      "touch", "--scene", scene, "--headless", "--seconds", 0.3, "--save-scene", left
+    };
+    String out = CommandRun.of(touch).mustSucceed().out();
+    assertTrue(out.contains("written: " + leftTable + ": locks and attachments"), out);
+    assertEquals(groups, Files.readString(leftTable));
+    String refusal =
+        CommandRun.of("info", "--scene", scene, "--save-scene", left, "--report", leftTable)
+            .mustRefuse();
+    assertTrue(refusal.startsWith("palpate: two outputs have the same file: "), refusal);
+    Path namesake = folder.resolve("s");
+    for (Object[] outputs : new Object[][] {{"--report", table}, {"--save-scene", namesake}}) {
+      List<Object> run = new ArrayList<>(List.of("touch", "--scene", scene, "--headless"));
+      run.addAll(List.of("--seconds", 0.3));
+      run.addAll(List.of(outputs));
+      String line = CommandRun.of(run.toArray()).mustRefuse();
+      assertTrue(line.startsWith("palpate: the target is an input: "), line);
+      assertTrue(line.contains(table.toString()), line);
+    }
+    assertEquals(groups, Files.readString(table));
+    Files.delete(table);
+    out = CommandRun.of(touch).mustSucceed().out();
+    assertFalse(out.contains("locks and attachments"), out);
+    assertFalse(Files.exists(leftTable), "it would lock fragments of the scene that was saved");
+  }
+
+  @Test
   void theToolOfAScenePlaysInItsReplay() throws IOException {
     String text = Files.readString(scene);
     Path file =

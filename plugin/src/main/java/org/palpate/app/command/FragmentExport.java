@@ -9,8 +9,10 @@ import java.util.Optional;
 import org.palpate.app.options.SceneElasticity;
 import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
+import org.palpate.body.BodyGroups;
 import org.palpate.io.VolumeWriter;
 import org.palpate.io.file.AtomicFile;
+import org.palpate.io.file.WriteFailedException;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.scene.SceneFile;
@@ -20,9 +22,10 @@ import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.volume.SegmentedVolume;
 
 /**
- * Writes bodies as a label volume, and their poses as a scene file or as transforms. If poses are
- * written, the volume holds the bodies at rest, and the scene file names it. Otherwise it holds
- * them at their present poses, as it always does if they have grids of their own.
+ * Writes bodies as a label volume, and their poses as a scene file or as transforms. Beside a scene
+ * file, a table holds the locks and groups of the bodies, if there are any. If poses are written,
+ * the volume holds the bodies at rest, and the scene file names it. Otherwise it holds them at
+ * their present poses, as it always does if they have grids of their own.
  */
 final class FragmentExport {
   private final Path labels;
@@ -62,7 +65,10 @@ final class FragmentExport {
           "add --export FILE");
     }
     transforms.ifPresent(folder -> OutputPaths.checkedFolder("--save-transforms", folder));
-    return scene.map(file -> OutputPaths.checked("--save-scene", file, inputs)).stream().toList();
+    List<Path> files = new ArrayList<>(scene.stream().toList());
+    scene.flatMap(SceneWriter::tableOf).ifPresent(files::add);
+    files.forEach(file -> OutputPaths.checked("--save-scene", file, inputs));
+    return files;
   }
 
   /**
@@ -85,17 +91,23 @@ final class FragmentExport {
     return labels != null && writesPoses() && bodies.rest().hasOneGrid();
   }
 
-  /** Writes everything that was asked for, and returns a line for each file or folder. */
+  /**
+   * Writes everything that was asked for, and returns a line for each file or folder. A scene keeps
+   * the locks and groups that lie beside the one that was read.
+   */
   List<String> write(PlacedVolume bodies) throws IOException {
-    return write(bodies, SceneElasticity.NONE);
+    Optional<BodyGroups> groups = scene.isPresent() ? bodies.groups() : Optional.empty();
+    return write(bodies, groups, SceneElasticity.NONE);
   }
 
   /**
    * Writes everything that was asked for, as the other method does.
    *
+   * @param groups the locks and groups of the bodies; empty if there are none
    * @param elasticity that of the bodies in a scene file, with its fills as they were at the start
    */
-  List<String> write(PlacedVolume bodies, SceneElasticity elasticity) throws IOException {
+  List<String> write(PlacedVolume bodies, Optional<BodyGroups> groups, SceneElasticity elasticity)
+      throws IOException {
     SceneElasticity elastic = elasticity.leftBy(bodies.rest());
     List<String> lines = new ArrayList<>();
     if (labels != null) {
@@ -111,8 +123,10 @@ final class FragmentExport {
       }
     }
     if (scene.isPresent()) {
-      writeScene(bodies, elastic, scene.get());
+      BodyGroups kept = groups.orElseGet(() -> BodyGroups.none(bodies.names().size()));
+      Optional<Path> table = writeScene(bodies, kept, elastic, scene.get());
       lines.add(OutputPaths.written(scene.get(), "scene"));
+      table.ifPresent(file -> lines.add(OutputPaths.written(file, "locks and attachments")));
     }
     if (transforms.isPresent()) {
       writeTransforms(bodies, transforms.get());
@@ -127,10 +141,13 @@ final class FragmentExport {
         : "";
   }
 
-  private void writeScene(PlacedVolume bodies, SceneElasticity elastic, Path file) {
-    try (AtomicFile target = new AtomicFile(file)) {
-      SceneWriter.write(written(bodies, elastic, file), target.stream());
-      target.commit();
+  /** Writes the scene, and returns the table of locks and groups, if there is one. */
+  private Optional<Path> writeScene(
+      PlacedVolume bodies, BodyGroups groups, SceneElasticity elastic, Path file) {
+    try {
+      return SceneWriter.replace(file, written(bodies, elastic, file), bodies.names(), groups);
+    } catch (WriteFailedException e) {
+      throw OutputPaths.failed(e.target(), e);
     } catch (IOException e) {
       throw OutputPaths.failed(file, e);
     }

@@ -169,6 +169,11 @@ final class SessionAutosave {
                 cause -> err.println(WriteFailures.line(scene.file(), cause))));
   }
 
+  /** Returns the locks and groups of the session that began, as they are now. */
+  BodyGroups groups() {
+    return frame.groups();
+  }
+
   /**
    * Deletes the autosave, or leaves it if it holds what nothing else does. Call it after the thread
    * of the session's autosave has ended.

@@ -40,6 +40,7 @@ import org.palpate.app.process.OutputPaths;
 import org.palpate.app.process.PalpateException;
 import org.palpate.app.process.ShutdownHook;
 import org.palpate.app.process.VersionProvider;
+import org.palpate.body.BodyGroups;
 import org.palpate.device.HandTarget;
 import org.palpate.device.HapticDevice;
 import org.palpate.geometry.RigidTransform;
@@ -328,7 +329,9 @@ public final class TouchCommand implements Callable<Integer> {
     }
     report.write();
     SceneElasticity elasticity = elastic.elasticity(scene.volume());
-    failures.attempt(exportFile, () -> bodies.write(left, elasticity).forEach(out::println));
+    Optional<BodyGroups> groups = autosave.map(SessionAutosave::groups);
+    failures.attempt(
+        exportFile, () -> bodies.write(left, groups, elasticity).forEach(out::println));
     autosave.ifPresent(
         saved -> saved.end(left, measured.endedInOrder(), measured.isByHand(), failures));
   }

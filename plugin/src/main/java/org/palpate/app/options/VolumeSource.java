@@ -2,6 +2,7 @@ package org.palpate.app.options;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -202,9 +203,14 @@ public final class VolumeSource {
     return requested;
   }
 
-  /** Returns the files of the volume, which no output may replace. */
+  /**
+   * Returns the files of the volume, and the locks and groups beside a scene, which no output may
+   * replace.
+   */
   public List<Path> files() {
-    return reader.files();
+    List<Path> files = new ArrayList<>(reader.files());
+    placed.flatMap(PlacedVolume::groupsFile).filter(Files::exists).ifPresent(files::add);
+    return files;
   }
 
   /** Returns the placement of each segment of a scene; empty if the segments stand at rest. */

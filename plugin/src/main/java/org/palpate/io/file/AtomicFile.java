@@ -37,10 +37,9 @@ public final class AtomicFile implements AutoCloseable {
    */
   public AtomicFile(Path target) throws IOException {
     asked = target;
-    boolean isNoPlainFile = Files.exists(target) && !Files.isRegularFile(target);
     // a link stays; the file that it points to is replaced
     this.target = Files.isRegularFile(target) ? target.toRealPath() : target.toAbsolutePath();
-    written = isNoPlainFile ? this.target : beside(this.target);
+    written = isDirect(target) ? this.target : beside(this.target);
     if (!written.equals(this.target)) {
       UNFINISHED.add(written);
     }
@@ -50,6 +49,11 @@ public final class AtomicFile implements AutoCloseable {
       UNFINISHED.remove(written);
       throw new WriteFailedException(asked, e);
     }
+  }
+
+  /** Whether a target exists and is no regular file, so that it is written directly. */
+  public static boolean isDirect(Path target) {
+    return Files.exists(target) && !Files.isRegularFile(target);
   }
 
   /** Lets {@link #discardUnfinished} delete another file too. */

@@ -140,10 +140,15 @@ public record PlacedVolume(
    * @throws IOException if they are not understood
    */
   public Optional<BodyGroups> groups() throws IOException {
-    if (origin.isEmpty()) {
-      return Optional.empty();
-    }
-    return GroupsCsv.read(GroupsCsv.beside(origin.get().file()), names(), this::isMovable);
+    Optional<Path> table = groupsFile();
+    return table.isEmpty()
+        ? Optional.empty()
+        : GroupsCsv.read(table.get(), names(), this::isMovable);
+  }
+
+  /** Returns where the locks and groups of the scene that was read lie, if it has any. */
+  public Optional<Path> groupsFile() {
+    return origin.map(opened -> GroupsCsv.beside(opened.file()));
   }
 
   /** Whether a body can move, by its number. */

@@ -5,7 +5,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.palpate.body.BodyGroups;
 import org.palpate.io.VolumeWriter;
-import org.palpate.io.file.AtomicFile;
 import org.palpate.io.file.FileClaim;
 import org.palpate.io.label.SegmentsAsLabels;
 import org.palpate.io.table.GroupsCsv;
@@ -52,15 +51,11 @@ public final class SavedScene implements AutoCloseable {
       VolumeWriter.write(new SegmentsAsLabels(bodies.rest(), bodies.world()), volume);
       hasVolume = true;
     }
-    GroupsCsv.write(GroupsCsv.beside(file), bodies.names(), groups);
     SceneFile scene =
         hasVolume
             ? bodies.sceneOfLabels(volume.getFileName().toString(), file)
             : bodies.sceneOfFiles(file);
-    try (AtomicFile target = new AtomicFile(file)) {
-      SceneWriter.write(scene, target.stream());
-      target.commit();
-    }
+    SceneWriter.replace(file, scene, bodies.names(), groups);
     isWritten = true;
   }
 

@@ -2,15 +2,21 @@ package org.palpate.io.scene;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import org.palpate.body.BodyGroups;
 import org.palpate.body.Mobility;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Quaternion;
 import org.palpate.geometry.Vec3;
+import org.palpate.io.file.AtomicFile;
+import org.palpate.io.table.GroupsCsv;
 import org.palpate.io.table.ReportJson;
 
 /**
@@ -19,6 +25,44 @@ import org.palpate.io.table.ReportJson;
  */
 public final class SceneWriter {
   private SceneWriter() {}
+
+  /**
+   * Replaces a scene file and the table of locks and groups beside it, which is deleted if no body
+   * is locked and each moves alone. If something cannot be written, both stay as they are.
+   *
+   * @param bodies the names of all bodies in the order of the scene
+   * @return the table; empty if there is none
+   * @throws IOException if that is not possible
+   */
+  public static Optional<Path> replace(
+      Path file, SceneFile scene, List<String> bodies, BodyGroups groups) throws IOException {
+    Optional<Path> place = tableOf(file);
+    Optional<Path> table = place.filter(each -> GroupsCsv.isNeeded(bodies.size(), groups));
+    try (AtomicFile rows = table.isPresent() ? new AtomicFile(table.get()) : null;
+        AtomicFile target = new AtomicFile(file)) {
+      if (rows != null) {
+        GroupsCsv.write(rows.stream(), bodies, groups);
+        rows.stream().flush();
+      }
+      write(scene, target.stream());
+      target.stream().flush(); // a full disk shows before anything is replaced
+      if (rows != null) {
+        rows.commit();
+      } else if (place.isPresent()) {
+        Files.deleteIfExists(place.get());
+      }
+      target.commit();
+    }
+    return table;
+  }
+
+  /**
+   * Returns where the locks and groups of a scene are written; empty if the scene goes to a pipe or
+   * a terminal, beside which there is none.
+   */
+  public static Optional<Path> tableOf(Path file) {
+    return AtomicFile.isDirect(file) ? Optional.empty() : Optional.of(GroupsCsv.beside(file));
+  }
 
   /** Writes a scene and leaves the stream open. The names of files are written as they are. */
   public static void write(SceneFile scene, OutputStream stream) throws IOException {

@@ -1,6 +1,7 @@
 package org.palpate.io.table;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -10,8 +11,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import org.palpate.body.BodyGroups;
-import org.palpate.io.file.AtomicFile;
 
 /**
  * Reads and writes the locks and the groups of the bodies of a scene: {@code body,group,locked} in
@@ -47,31 +48,26 @@ public final class GroupsCsv implements CsvLines.Rows {
     return scene.resolveSibling(stem + ".groups.csv");
   }
 
+  /** Whether a body is locked or does not move alone, by the number of all bodies. */
+  public static boolean isNeeded(int bodies, BodyGroups groups) {
+    return IntStream.range(0, bodies).anyMatch(n -> groups.size(n) > 1 || groups.isLocked(n));
+  }
+
   /**
-   * Replaces a file. If no body is locked and each moves alone, it is deleted instead.
+   * Writes a row for each body, and leaves the stream open.
    *
    * @param bodies the names of all bodies in the order of the scene
    * @throws IOException if that is not possible
    */
-  public static void write(Path file, List<String> bodies, BodyGroups groups) throws IOException {
-    boolean isPlain = true;
+  public static void write(OutputStream stream, List<String> bodies, BodyGroups groups)
+      throws IOException {
+    CsvWriter rows = new CsvWriter(stream, HEADER);
     for (int n = 0; n < bodies.size(); n++) {
-      isPlain &= groups.size(n) == 1 && !groups.isLocked(n);
-    }
-    if (isPlain) {
-      Files.deleteIfExists(file);
-      return;
-    }
-    try (AtomicFile target = new AtomicFile(file)) {
-      CsvWriter rows = new CsvWriter(target.stream(), HEADER);
-      for (int n = 0; n < bodies.size(); n++) {
-        int first = 0;
-        while (!groups.moveTogether(first, n)) {
-          first++;
-        }
-        rows.cell(bodies.get(n)).cell(first + 1L).cell(groups.isLocked(n) ? 1L : 0L).end();
+      int first = 0;
+      while (!groups.moveTogether(first, n)) {
+        first++;
       }
-      target.commit();
+      rows.cell(bodies.get(n)).cell(first + 1L).cell(groups.isLocked(n) ? 1L : 0L).end();
     }
   }
 

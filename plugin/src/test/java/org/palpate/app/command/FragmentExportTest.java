@@ -11,10 +11,14 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.palpate.app.options.SceneElasticity;
 import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.process.PalpateException;
+import org.palpate.body.BodyGroups;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
 import org.palpate.geometry.Pose;
@@ -82,7 +86,8 @@ class FragmentExportTest {
     Path scene = folder.resolve("s.json");
     FragmentExport export = new FragmentExport(volume, Optional.of(scene), Optional.empty());
     assertTrue(export.writesPoses());
-    assertEquals(List.of(scene), export.checked(List.of(), false));
+    Path table = folder.resolve("s.groups.csv");
+    assertEquals(List.of(scene, table), export.checked(List.of(), false));
     assertEquals(2, export.write(bodies(CoordinateSystem.LPS)).size());
     assertEquals(2, labels(volume).value(4, 2, 2), "at rest");
     SceneFile read = SceneReader.read(scene);
@@ -96,6 +101,60 @@ class FragmentExportTest {
             .pose()
             .sameBits(bodies(CoordinateSystem.LPS).placements().get(1).pose()));
     assertEquals(8, again.rest().segments().get(1).bits().solidCount());
+  }
+
+  private PlacedVolume read(Path scene) throws IOException {
+    return BodyReader.read(SceneReader.read(scene), scene);
+  }
+
+  private FragmentExport sceneExport(String name) {
+    return new FragmentExport(
+        folder.resolve("l.nrrd"), Optional.of(folder.resolve(name)), Optional.empty());
+  }
+
+  @Test
+  void locksLieBesideTheSceneAndAreKeptFromSceneToScene() throws IOException {
+    Path scene = folder.resolve("s.json");
+    Path table = folder.resolve("s.groups.csv");
+    Optional<BodyGroups> locked = Optional.of(BodyGroups.none(2).withLock(1, true));
+    List<String> lines =
+        sceneExport("s.json").write(bodies(CoordinateSystem.LPS), locked, SceneElasticity.NONE);
+    assertEquals("written: " + table + ": locks and attachments", lines.get(2));
+    assertTrue(read(scene).groups().orElseThrow().isLocked(1));
+    sceneExport("copy.json").write(read(scene));
+    assertTrue(read(folder.resolve("copy.json")).groups().orElseThrow().isLocked(1));
+    sceneExport("s.json").write(bodies(CoordinateSystem.LPS));
+    assertFalse(Files.exists(table), "the locks of another scene are not those of this one");
+  }
+
+  @Test
+  void aTableThatCannotBeWrittenKeepsTheScene() throws IOException {
+    Path scene = Files.writeString(folder.resolve("s.json"), "older");
+    Path table = Files.createDirectory(folder.resolve("s.groups.csv"));
+    Files.writeString(table.resolve("content"), "");
+    FragmentExport export = sceneExport("s.json");
+    assertTrue(
+        assertThrows(PalpateException.class, () -> export.checked(List.of(), false))
+            .getMessage()
+            .startsWith("the target is a folder: --save-scene " + table));
+    for (boolean isLocked : new boolean[] {false, true}) {
+      Optional<BodyGroups> groups = Optional.of(BodyGroups.none(2).withLock(1, isLocked));
+      PlacedVolume bodies = bodies(CoordinateSystem.LPS);
+      assertThrows(
+          PalpateException.class, () -> export.write(bodies, groups, SceneElasticity.NONE));
+      assertEquals("older", Files.readString(scene));
+    }
+  }
+
+  @Test
+  @EnabledOnOs(value = OS.LINUX, disabledReason = "skipped: no /dev/null on this system")
+  void aSceneThatGoesToADeviceHasNoTable() throws IOException {
+    Path table = Files.writeString(folder.resolve("s.groups.csv"), "older");
+    Files.createSymbolicLink(folder.resolve("s.json"), Path.of("/dev/null"));
+    Optional<BodyGroups> locked = Optional.of(BodyGroups.none(2).withLock(1, true));
+    PlacedVolume bodies = bodies(CoordinateSystem.LPS);
+    assertEquals(2, sceneExport("s.json").write(bodies, locked, SceneElasticity.NONE).size());
+    assertEquals("older", Files.readString(table));
   }
 
   @Test

@@ -21,6 +21,7 @@ import org.palpate.app.options.VolumeOptions;
 import org.palpate.app.options.VolumeSource;
 import org.palpate.app.output.WriteFailures;
 import org.palpate.body.BodyGroups;
+import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Pose;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TouchSession;
@@ -231,10 +232,13 @@ class SessionAutosaveTest {
   void locksAndGroupsBesideTheSceneHoldAgain() throws IOException {
     Path table = folder.resolve("movable.groups.csv");
     Files.writeString(table, "body,group,locked\nhigh,1,1\ntop,1,1\n");
-    assertTrue(begin(source, Optional.empty()).orElseThrow().begin(session).isPresent());
-    BodyGroups groups = session.toolFrame().orElseThrow().groups();
-    assertTrue(groups.moveTogether(1, 2));
-    assertTrue(groups.isLocked(2));
+    SessionAutosave autosave = begin(source, Optional.empty()).orElseThrow();
+    assertTrue(autosave.begin(session).isPresent());
+    ToolFrame frame = session.toolFrame().orElseThrow();
+    assertTrue(frame.groups().moveTogether(1, 2));
+    assertTrue(frame.groups().isLocked(2));
+    frame.requestGroups(frame.groups().alone(2));
+    assertFalse(autosave.groups().moveTogether(1, 2), "as the session changed them");
     Files.writeString(table, "body,group,locked\nlow,1,0\ntop,1,0\n");
     assertThrows(IOException.class, () -> begin(source, Optional.empty()));
   }

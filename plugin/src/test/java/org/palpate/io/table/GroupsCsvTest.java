@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -23,6 +24,12 @@ class GroupsCsvTest {
 
   private Path file() {
     return GroupsCsv.beside(folder.resolve("jaw.json"));
+  }
+
+  private void write(BodyGroups groups) throws IOException {
+    try (OutputStream stream = Files.newOutputStream(file())) {
+      GroupsCsv.write(stream, NAMES, groups);
+    }
   }
 
   private Optional<BodyGroups> read() throws IOException {
@@ -50,8 +57,8 @@ class GroupsCsvTest {
               default -> groups.alone(one);
             };
       }
-      GroupsCsv.write(file(), NAMES, groups);
-      BodyGroups back = read().orElse(BodyGroups.none(NAMES.size()));
+      write(groups);
+      BodyGroups back = read().orElseThrow();
       for (int n = 0; n < NAMES.size(); n++) {
         assertEquals(groups.isLocked(n), back.isLocked(n), () -> "seed " + Seeds.seed());
         for (int m = 0; m < NAMES.size(); m++) {
@@ -62,16 +69,16 @@ class GroupsCsvTest {
   }
 
   @Test
-  void withoutLocksAndGroupsThereIsNoTable() throws IOException {
+  void aTableIsNeededForLocksAndGroupsAlone() throws IOException {
     BodyGroups none = BodyGroups.none(NAMES.size());
-    GroupsCsv.write(file(), NAMES, none.bound(2, 4));
+    assertFalse(GroupsCsv.isNeeded(NAMES.size(), none));
+    assertTrue(GroupsCsv.isNeeded(NAMES.size(), none.withLock(4, true)));
+    assertTrue(GroupsCsv.isNeeded(NAMES.size(), none.bound(2, 4)));
+    assertEquals(Optional.empty(), read());
+    write(none.bound(2, 4));
     assertEquals(
         "body,group,locked\nskull,1,0\na,2,0\n\"b,c\",3,0\n\"d \"\"e\"\"\",4,0\nf,3,0\n",
         Files.readString(file()));
-    GroupsCsv.write(file(), NAMES, none);
-    assertFalse(Files.exists(file()));
-    assertEquals(Optional.empty(), read());
-    GroupsCsv.write(file(), NAMES, none);
   }
 
   @Test
