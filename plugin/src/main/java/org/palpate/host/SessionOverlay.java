@@ -11,7 +11,6 @@ import java.util.function.Consumer;
 import org.palpate.device.HapticDevice;
 import org.palpate.device.WorkspaceDevice;
 import org.palpate.edit.HistoryEdit;
-import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.loop.LoopStatus;
 import org.palpate.scene.ChangedVoxels;
@@ -208,7 +207,7 @@ final class SessionOverlay {
 
   /**
    * The keys that undo and redo, and the lines that say why nothing happens. The window's thread
-   * presses the keys; the synchronization thread looks what became of them.
+   * presses the keys; the synchronization thread reports what was refused.
    */
   static final class UndoKeys {
     private final TouchSession session;
@@ -242,7 +241,7 @@ final class SessionOverlay {
         return;
       }
       asked.add(edit);
-      if (session.toolFrame().map(ToolFrame::heldBody).orElse(-1) >= 0) {
+      if (session.isHolding()) {
         hint.accept(name + " waits until you let go");
       }
     }

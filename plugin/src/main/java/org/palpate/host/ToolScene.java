@@ -365,10 +365,11 @@ public final class ToolScene {
 
     /** Turns the body in hand by a rotation vector in world axes, rad. Returns whether it may. */
     boolean turn(Vec3 rotationVector) {
-      if (frame.heldBody() >= 0 && device instanceof TurnableDevice turnable) {
-        boolean turns = turnable.isTurnable();
+      if (frame.heldBody() >= 0
+          && device instanceof TurnableDevice turnable
+          && turnable.isTurnable()) {
         turnable.turn(rotationVector);
-        return turns;
+        return true;
       }
       return false;
     }

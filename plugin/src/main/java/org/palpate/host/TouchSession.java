@@ -173,7 +173,8 @@ public final class TouchSession implements AutoCloseable {
     return recorder.isPresent() ? new RecordingDevice(device, recorder.get()) : device;
   }
 
-  private boolean isHolding() {
+  /** {@return whether the hand holds a body} Any thread. */
+  public boolean isHolding() {
     return frame instanceof ToolFrame tool && tool.heldBody() >= 0;
   }
 

@@ -1,7 +1,6 @@
 package org.palpate.host.placing;
 
 import java.util.function.Consumer;
-import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.TouchSession;
 import org.palpate.scene.window.WindowInput;
@@ -66,9 +65,8 @@ final class TurningKeys {
   /** Turns by some steps, each a rotation vector along the axes of the picture. */
   private void turn(WindowInput input, Vec3 seen, double steps) {
     if (!session.turnHeld(input.turnInView(seen.mul(steps, new Vec3())))) {
-      boolean holds = session.toolFrame().map(ToolFrame::heldBody).orElse(-1) >= 0;
       hint.accept(
-          holds
+          session.isHolding()
               ? "the simulated hand turns it: press with the mouse to take over"
               : "take hold of a body first");
     }
