@@ -132,23 +132,19 @@ final class SessionAutosave {
 
   private static Optional<SavedScene> claim(
       List<AutosaveFiles> places, String input, PrintWriter err) {
-    IOException cause = null;
-    for (AutosaveFiles place : places) {
-      try {
-        return Optional.of(place.claim());
-      } catch (IOException e) {
-        cause = e; // the next place may do
-      }
+    try {
+      return Optional.of(AutosaveFiles.claimFirst(places));
+    } catch (IOException e) {
+      err.println(
+          "palpate: "
+              + PalpateException.failed(
+                      "the session is not saved while it runs (" + e.getMessage() + ")",
+                      input,
+                      "make the folder of the input or the working folder writable",
+                      e)
+                  .getMessage());
+      return Optional.empty();
     }
-    err.println(
-        "palpate: "
-            + PalpateException.failed(
-                    "the session is not saved while it runs (" + cause.getMessage() + ")",
-                    input,
-                    "make the folder of the input or the working folder writable",
-                    cause)
-                .getMessage());
-    return Optional.empty();
   }
 
   /**

@@ -84,16 +84,12 @@ final class PlacingAutosave implements AutoCloseable {
   }
 
   private static Optional<SavedScene> claim(StackVolume stack) {
-    String why = "";
-    for (AutosaveFiles place : places(stack)) {
-      try {
-        return Optional.of(place.claim());
-      } catch (IOException e) {
-        why = e.getMessage(); // the next place may do
-      }
+    try {
+      return Optional.of(AutosaveFiles.claimFirst(places(stack)));
+    } catch (IOException e) {
+      log("The session is not saved while it runs: " + e.getMessage());
+      return Optional.empty();
     }
-    log("The session is not saved while it runs: " + why);
-    return Optional.empty();
   }
 
   /** Returns the last scene that an earlier session of a stack left, if any. */

@@ -33,7 +33,8 @@ public final class FileClaim implements AutoCloseable {
    * Claims a file, which need not exist.
    *
    * @return empty if another holder has it
-   * @throws IOException if its folder does not exist, may not be written to or knows no locks
+   * @throws IOException if its folder does not exist, may not be written to or does not support
+   *     locks
    */
   public static Optional<FileClaim> of(Path file) throws IOException {
     Path lockFile = lockFile(file);

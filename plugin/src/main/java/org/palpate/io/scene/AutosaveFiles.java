@@ -3,6 +3,8 @@ package org.palpate.io.scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -88,9 +90,30 @@ public final class AutosaveFiles {
   }
 
   /**
+   * Claims the next name in the first place where that is possible.
+   *
+   * @param places the places, at least one, the preferred one first
+   * @throws IOException if it is possible in none; the failure of the last one
+   */
+  public static SavedScene claimFirst(List<AutosaveFiles> places) throws IOException {
+    IOException failure = null;
+    for (AutosaveFiles place : places) {
+      try {
+        return place.claim();
+      } catch (IOException e) {
+        if (failure != null) {
+          e.addSuppressed(failure);
+        }
+        failure = e; // the next place may do
+      }
+    }
+    throw Objects.requireNonNull(failure, "there is no place");
+  }
+
+  /**
    * Claims the next name that no session has used.
    *
-   * @throws IOException if the folder cannot be written to, or knows no locks
+   * @throws IOException if the folder cannot be written to, or does not support locks
    */
   public SavedScene claim() throws IOException {
     SortedMap<Integer, Path> used = existing("\\.(json|nrrd|groups\\.csv)");

@@ -2,10 +2,12 @@ package org.palpate.io.scene;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -96,5 +98,19 @@ class AutosaveFilesTest {
     files = AutosaveFiles.beside(folder.resolve("missing").resolve("end.json"));
     assertEquals("", last());
     assertThrows(IOException.class, files::claim);
+  }
+
+  @Test
+  void theFirstPlaceThatCanBeWrittenToIsClaimed() throws IOException {
+    AutosaveFiles missing = AutosaveFiles.beside(folder.resolve("missing").resolve("end.json"));
+    AutosaveFiles gone = AutosaveFiles.beside(folder.resolve("gone").resolve("end.json"));
+    try (SavedScene scene = AutosaveFiles.claimFirst(List.of(missing, files))) {
+      assertEquals("end.autosave.json", scene.file().getFileName().toString());
+    }
+    IOException failure =
+        assertThrows(
+            IOException.class, () -> AutosaveFiles.claimFirst(List.of(missing, gone)).close());
+    assertTrue(failure.getMessage().contains("gone"), failure::toString);
+    assertTrue(failure.getSuppressed()[0].getMessage().contains("missing"), failure::toString);
   }
 }
