@@ -465,7 +465,7 @@ public final class BodyMover {
     private boolean leafTouches(SphereTree tree) {
       for (int n = tree.first(node); n < tree.end(node); n++) {
         toCells.transform(pair.points.shape.point(n, position), position);
-        if (pair.levels.touchesHighest(position, caster)) {
+        if (pair.levels.touchesInCells(position, pair.levels.highest, caster)) {
           return true;
         }
       }

@@ -164,15 +164,13 @@ final class ClearanceLevels {
 
   /** Whether a point touches a level. */
   boolean touches(Vec3 point, AffineMap toGrid, int level, ExactRayCaster caster) {
-    inCells(point, toGrid, level, inCells);
-    ray.from(inCells.x, inCells.y, inCells.z).to(inCells.x, inCells.y, inCells.z);
-    return caster.cast(cubes[level], ray, hit);
+    return touchesInCells(inCells(point, toGrid, level, inCells), level, caster);
   }
 
-  /** Whether a place in the cells of the highest level touches that level. */
-  boolean touchesHighest(Vec3 place, ExactRayCaster caster) {
+  /** Whether a place in the cells of a level touches that level. */
+  boolean touchesInCells(Vec3 place, int level, ExactRayCaster caster) {
     ray.from(place.x, place.y, place.z).to(place.x, place.y, place.z);
-    return caster.cast(cubes[highest], ray, hit);
+    return caster.cast(cubes[level], ray, hit);
   }
 
   /** Applies the edits of the body since the last call. Several verifiers may share the levels. */
