@@ -5,8 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.palpate.body.Mobility;
-import org.palpate.body.Placement;
 import org.palpate.fracture.FractureReadings;
 import org.palpate.fracture.PairReadings;
 import org.palpate.fracture.fit.GhostDistance;
@@ -47,10 +45,9 @@ public final class FractureReport {
 
   private void readGhosts(PlacedVolume bodies, SegmentedVolume faint) {
     List<PosedBits> posed = PosedBits.of(bodies.rest(), bodies.poses());
-    List<Mobility> mobilities = bodies.placements().stream().map(Placement::mobility).toList();
-    boolean readsAll = !mobilities.contains(Mobility.MOVABLE);
+    boolean readsAll = !bodies.hasMovableBodies();
     for (int n = 0; n < posed.size(); n++) {
-      if (readsAll || mobilities.get(n) == Mobility.MOVABLE) {
+      if (readsAll || bodies.isMovable(n)) {
         String name = names.get(n);
         GhostReading.of(posed.get(n), faint)
             .forEach(reading -> toGhosts.add(new ToGhost(name, reading)));

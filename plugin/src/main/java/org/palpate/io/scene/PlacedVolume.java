@@ -151,12 +151,12 @@ public record PlacedVolume(
     return origin.map(opened -> GroupsCsv.beside(opened.file()));
   }
 
-  /** Whether a body can move, by its number. */
-  private boolean isMovable(int body) {
+  /** Whether the body of an index can move. */
+  public boolean isMovable(int body) {
     return placements.get(body).mobility() == Mobility.MOVABLE;
   }
 
-  /** Whether a body can move. */
+  /** Whether any body can move. */
   public boolean hasMovableBodies() {
     return IntStream.range(0, placements.size()).anyMatch(this::isMovable);
   }
