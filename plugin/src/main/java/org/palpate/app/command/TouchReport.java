@@ -18,6 +18,7 @@ import org.palpate.frame.FrameStatistics;
 import org.palpate.host.MouseTakeover;
 import org.palpate.host.SessionView;
 import org.palpate.host.TouchSession;
+import org.palpate.io.file.CountText;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopReport;
 import org.palpate.loop.Quantiles;
@@ -156,7 +157,8 @@ final class TouchReport {
     out.println(lateness(loop.latenessMicros()));
     session.elastic().ifPresent(body -> out.println(ElasticFields.line(body.counters())));
     if (undosRefused() > 0) {
-      out.println("undo refused: a body has come there since (" + undosRefused() + " times)");
+      String times = CountText.of(undosRefused(), "time");
+      out.println("undo refused: a body has come there since (" + times + ")");
     }
     loop.granted().refusals().forEach(refusal -> out.println("real time: " + refusal));
     out.flush();
@@ -225,7 +227,7 @@ final class TouchReport {
   }
 
   /**
-   * Adds when the force was switched on. If the hand can hold bodies, also when it first held one,
+   * Adds when the force was switched on. If the hand can hold bodies, adds when it first held one,
    * and how often undo was refused.
    */
   private void putStart(Report report, FrameStatistics counts) {
