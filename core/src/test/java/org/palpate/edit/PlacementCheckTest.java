@@ -1,6 +1,7 @@
 package org.palpate.edit;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -163,7 +164,7 @@ class PlacementCheckTest {
     line.moveTo(1, 2);
     line.moveTo(2, 2.5);
     for (int frame = 0; frame < 4; frame++) {
-      assertTrue(!history.undo(1)); // body 1 is clear; now it looks at body 2
+      assertFalse(history.undo(1)); // body 1 is clear; now it looks at body 2
     }
     line.moveTo(1, 0.5);
     undoToTheEnd();

@@ -1,6 +1,7 @@
 package org.palpate.rigid.skip;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.junit.jupiter.api.Test;
@@ -27,7 +28,7 @@ class ScreenTrialTest {
       assertTrue(verify(LEAVES, LEAVES, LEAVES));
     }
     for (int n = 0; n < 10_000; n++) {
-      assertEquals(false, verify(LEAVES, LEAVES, LEAVES), "verification " + n);
+      assertFalse(verify(LEAVES, LEAVES, LEAVES), "verification " + n);
     }
   }
 
@@ -37,7 +38,7 @@ class ScreenTrialTest {
       verify(20, LEAVES, LEAVES);
     }
     for (int n = 0; n < 100; n++) { // the first verification of the trial frees most leaves
-      assertEquals(false, verify(20, LEAVES, n == 0 ? LEAVES : 5), "verification " + n);
+      assertFalse(verify(20, LEAVES, n == 0 ? LEAVES : 5), "verification " + n);
     }
   }
 
@@ -49,7 +50,7 @@ class ScreenTrialTest {
         lengths[period]++;
       }
       for (int n = 1; n < 8; n++) { // each costs more than asking, but less than four times that
-        assertEquals(false, verify(20, LEAVES, LEAVES));
+        assertFalse(verify(20, LEAVES, LEAVES));
       }
     }
     assertEquals(64, lengths[0]);
