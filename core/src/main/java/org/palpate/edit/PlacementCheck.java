@@ -19,6 +19,10 @@ final class PlacementCheck {
   static final int MOST_BEGINNINGS = 2000;
 
   private final Placer placer;
+
+  /** The body of each placement, by slot. */
+  private final int[] placed;
+
   private final Pose target = new Pose();
   private final Pose stood = new Pose();
 
@@ -35,9 +39,6 @@ final class PlacementCheck {
   /** The poses of all bodies at the time to which the placements return; null without a check. */
   private PoseTable poses;
 
-  /** The body of each placement, by slot. */
-  private int[] placed;
-
   /** The pair of a placement and another body with which the check goes on. */
   private long change;
 
@@ -45,8 +46,14 @@ final class PlacementCheck {
   private boolean isPairOpen;
   private int beginnings;
 
-  PlacementCheck(Placer placer) {
+  /**
+   * Creates a check that has not begun.
+   *
+   * @param bodyOf the body of each placement, by slot; kept
+   */
+  PlacementCheck(Placer placer, int[] bodyOf) {
     this.placer = placer;
+    placed = bodyOf;
     motionsSeen = new long[placer.count()];
   }
 
@@ -64,13 +71,11 @@ final class PlacementCheck {
    * Begins the check of some placements.
    *
    * @param wanted where bodies are to be, by slot
-   * @param bodyOf the body of each placement, by slot; kept
    */
-  void begin(long firstChange, long endChange, PoseTable wanted, int[] bodyOf) {
+  void begin(long firstChange, long endChange, PoseTable wanted) {
     first = firstChange;
     end = endChange;
     poses = wanted;
-    placed = bodyOf;
     isPairOpen = false;
     beginnings = 0;
     hasChanged(); // From now on.

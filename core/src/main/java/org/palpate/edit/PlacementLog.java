@@ -111,7 +111,7 @@ public final class PlacementLog implements ChangeLog {
     body = new int[capacity];
     begins = new PoseTable(capacity, bodies);
     ends = new PoseTable(capacity, bodies);
-    check = new PlacementCheck(placer);
+    check = new PlacementCheck(placer, body);
   }
 
   /** Sets the history that groups the placements; before the first. */
@@ -183,7 +183,7 @@ public final class PlacementLog implements ChangeLog {
 
   private Answer mayPlace(long first, long last, PoseTable poses) {
     if (!check.isOf(first, last, poses)) {
-      check.begin(first, last, poses, body);
+      check.begin(first, last, poses);
     }
     return check.goOn();
   }
