@@ -5,7 +5,7 @@ import org.palpate.edit.PlacementLog.Placer;
 import org.palpate.geometry.Pose;
 
 /**
- * Looks whether bodies that were placed together may return to poses of a {@link PlacementLog}:
+ * Checks whether bodies that were placed together may return to poses of a {@link PlacementLog}:
  * each of them must be clear of every other body that does not stand where it stood then. The check
  * takes several frames, and begins anew if something that matters to it changes meanwhile.
  *

@@ -7,10 +7,10 @@ import org.palpate.geometry.Pose;
  * Keeps placements of bodies, so that they can be undone and redone to the bit. Those of bodies
  * that moved together are one stroke.
  *
- * <p>A body may <em>stray</em>: it moves without a placement. Undo is refused if it would put a
- * body near one that does not stand where it stood when the placement began. All others stand there
- * bit for bit, so nothing comes nearer to them than it was. Redo compares with where bodies stood
- * when the placement ended.
+ * <p>A body may also move without a placement. Undo is refused if it would put a body near one that
+ * does not stand where it stood when the placement began. All others stand there bit for bit, so
+ * nothing comes nearer to them than it was. Redo compares with where bodies stood when the
+ * placement ended.
  *
  * <p>Haptic thread only; allocates nothing after it was made.
  */
@@ -38,7 +38,7 @@ public final class PlacementLog implements ChangeLog {
   private long end;
   private long oldest;
 
-  /** Puts bodies where they were, and looks whether there is room. */
+  /** Puts bodies where they were, and checks whether there is room. */
   public interface Placer {
     /** {@return the number of bodies in the scene} */
     int count();
@@ -70,7 +70,7 @@ public final class PlacementLog implements ChangeLog {
     boolean isNear(int body, Pose pose, int other);
 
     /**
-     * Begins to look whether a body would keep its whole clearance from another one. The last such
+     * Begins to check whether a body would keep its whole clearance from another one. The last such
      * check is forgotten.
      *
      * @param body the index of the body in the scene

@@ -10,7 +10,7 @@ import org.palpate.rigid.BodyMover.ClearCheck;
 
 /** Puts the bodies of a scene where they were. Haptic thread only; allocates nothing. */
 record BodyPlacer(BodyScene bodies, ClearCheck check) implements PlacementLog.Placer {
-  /** The sample points of a body that moves cover only the voxels that it has at the start. */
+  /** Lets edits add no voxels to bodies that move: their sample points cover those at the start. */
   static void limitMovable(BodyScene bodies, VoxelWriter voxels) {
     for (int n = 0; n < bodies.count(); n++) {
       if (bodies.body(n).mobility() == Mobility.MOVABLE) {

@@ -133,7 +133,7 @@ public final class BodyMover {
     Arrays.fill(hasGoal, false);
   }
 
-  /** {@return looks whether a body would be clear of another one at a pose; for undo} */
+  /** {@return the check whether a body would be clear of another one at a pose; for undo} */
   public ClearCheck clearCheck() {
     return clearCheck;
   }
@@ -316,7 +316,7 @@ public final class BodyMover {
   }
 
   /**
-   * Looks, a part at a time, whether a body at a pose would keep its whole clearance from another
+   * Checks, a part at a time, whether a body at a pose would keep its whole clearance from another
    * one, and neither would enclose the other. The other stays where it is; if it moves meanwhile,
    * or a voxel of the two changes, the answer means nothing. Haptic thread, between two frames.
    */

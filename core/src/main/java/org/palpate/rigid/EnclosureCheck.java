@@ -140,7 +140,7 @@ final class EnclosureCheck {
     return canEnclose() && encloses(pair.points.pose, pair.solid.bodyPose(), i, j, k);
   }
 
-  /** Applies the edits of the pair's body, and looks whether added voxels are enclosed. */
+  /** Applies the edits of the pair's body, and checks whether added voxels are enclosed. */
   Mover.EditOutcome takeEdits() {
     boolean enclosedNothing = !isPending && pair.reducedCount() == 0;
     Mover.EditOutcome outcome = pair.takeEdits();

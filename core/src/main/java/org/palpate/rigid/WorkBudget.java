@@ -76,7 +76,7 @@ final class WorkBudget {
     return work() >= limit();
   }
 
-  /** Whether a step must end. */
+  /** Whether a step must end. One along faces has a smaller budget. */
   boolean isSpent(boolean alongFaces) {
     return isSpent() || (alongFaces && !hasFaces());
   }

@@ -13,8 +13,7 @@ public final class OwnProcess {
    * Runs the main method of a class, and waits for its end.
    *
    * @param flags of the JVM
-   * @return the lines that it printed; what it printed as errors goes where those of this process
-   *     go
+   * @return the lines that it printed; its errors go to the error output of this process
    * @throws IOException if the process ends with another exit code than 0
    */
   public static List<String> lines(Class<?> main, List<String> flags, List<String> arguments)

@@ -25,7 +25,7 @@ public final class SceneAutosave implements AutoCloseable {
   /** The time between two saves. */
   public static final long PERIOD_NANOS = 10_000_000_000L;
 
-  /** The time between two looks whether a frame has copied the poses. */
+  /** The time between two checks whether a frame has copied the poses. */
   private static final long FRAME_WAIT_NANOS = 20_000_000;
 
   private final PlacedVolume start;

@@ -57,6 +57,7 @@ record ThinGrid(List<AxisCut> cuts) {
     return of(edges, mostPerVoxelOfGrey(edges), MAX_EQUAL_OF_GREY, MAX_EQUAL_OF_GREY);
   }
 
+  /** Returns the most cells for each voxel along an axis; fewer if a second axis is cut too. */
   private static double mostPerVoxelOfGrey(Vec3 edges) {
     double second =
         Math.max(Math.min(edges.x, edges.y), Math.min(Math.max(edges.x, edges.y), edges.z));
