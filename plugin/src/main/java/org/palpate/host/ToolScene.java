@@ -35,6 +35,7 @@ import org.palpate.rigid.RigidScene;
 import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.tool.RigidTool;
+import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.scene.ToolMarks;
 import org.palpate.volume.SegmentedVolume;
 import org.palpate.volume.fracture.PosedBits;
@@ -87,6 +88,25 @@ public final class ToolScene {
         MovableShapes.none(bodies),
         clearances,
         rotationalStiffness,
+        CollisionDevice.CPU);
+  }
+
+  /**
+   * {@return a point among bodies of which some can move} Their sample points keep out of each
+   * other's voxels.
+   *
+   * @param scene the volume with the placements of its bodies, and its contact settings
+   * @throws RigidScene.BodiesOverlapException if two bodies of which one can move overlap
+   */
+  public static ToolScene ofPoint(ContactScene scene) {
+    BodyScene bodies = scene.newBodies();
+    return new ToolScene(
+        scene,
+        bodies,
+        ToolSampler.point(),
+        MovableShapes.ofPoints(bodies),
+        List.of(Clearance.POINTS),
+        OptionalDouble.empty(),
         CollisionDevice.CPU);
   }
 

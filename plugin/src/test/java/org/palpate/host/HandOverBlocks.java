@@ -7,15 +7,12 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
-import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
-import org.palpate.collision.CollisionDevice;
 import org.palpate.device.DeviceDecorator;
 import org.palpate.device.DeviceSpecification;
 import org.palpate.device.HapticDevice;
@@ -23,9 +20,6 @@ import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.rigid.Clearance;
-import org.palpate.rigid.MovableShapes;
-import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.scene.SceneModel;
 import org.palpate.scene.StandardView;
 import org.palpate.scene.Theme;
@@ -111,17 +105,7 @@ public abstract class HandOverBlocks {
    * @param prepare gets the session before its start
    */
   protected final void start(HapticDevice device, Consumer<TouchSession> prepare) {
-    BodyScene bodies = contact.newBodies();
-    ToolScene scene =
-        new ToolScene(
-            contact,
-            bodies,
-            ToolSampler.point(),
-            MovableShapes.ofPoints(bodies),
-            List.of(Clearance.POINTS),
-            OptionalDouble.empty(),
-            CollisionDevice.CPU);
-    session = new TouchSession(scene, device, SessionSettings.standard());
+    session = new TouchSession(ToolScene.ofPoint(contact), device, SessionSettings.standard());
     prepare.accept(session);
     hand.moveTo(OVER_BLOCK);
     session.start();

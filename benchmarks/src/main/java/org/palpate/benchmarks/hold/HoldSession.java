@@ -5,14 +5,11 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.IntStream;
 import org.palpate.benchmarks.rigid.RigidFigure;
-import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
-import org.palpate.collision.CollisionDevice;
 import org.palpate.device.HapticDevice;
 import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Pose;
@@ -27,9 +24,6 @@ import org.palpate.host.placing.LiveReadings;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
 import org.palpate.realtime.RealtimeThread;
-import org.palpate.rigid.Clearance;
-import org.palpate.rigid.MovableShapes;
-import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.GraphicsDriver;
 import org.palpate.scene.window.SceneWindow;
@@ -59,20 +53,10 @@ final class HoldSession {
     this.warmUpSeconds = warmUpSeconds;
     this.seconds = seconds;
     fragments = phantom.fragments().segments();
-    ContactScene contacts =
-        new ContactScene(fragments, inPlace(), ContactSettings.standard(), Optional.empty());
-    BodyScene bodies = contacts.newBodies();
-    MovableShapes shapes = MovableShapes.ofPoints(bodies);
-    held = HeldFragment.of(fragments, shapes, points);
     scene =
-        new ToolScene(
-            contacts,
-            bodies,
-            ToolSampler.point(),
-            shapes,
-            List.of(Clearance.POINTS),
-            OptionalDouble.empty(),
-            CollisionDevice.CPU);
+        ToolScene.ofPoint(
+            new ContactScene(fragments, inPlace(), ContactSettings.standard(), Optional.empty()));
+    held = HeldFragment.of(fragments, scene.movableShapes(), points);
   }
 
   /** Returns placements of all fragments where they belong. The largest is fixed. */

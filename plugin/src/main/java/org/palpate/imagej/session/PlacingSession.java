@@ -8,13 +8,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
-import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
-import org.palpate.collision.CollisionDevice;
 import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.RigidTransform;
@@ -39,10 +36,7 @@ import org.palpate.io.volume.CoordinateSystem;
 import org.palpate.loop.LoopEnd;
 import org.palpate.loop.LoopSettings;
 import org.palpate.realtime.RealtimeThread;
-import org.palpate.rigid.Clearance;
-import org.palpate.rigid.MovableShapes;
 import org.palpate.rigid.RigidScene;
-import org.palpate.rigid.tool.ToolSampler;
 import org.palpate.scene.WorldAxes;
 import org.palpate.scene.window.GraphicsDriver;
 import org.palpate.scene.window.SceneWindow;
@@ -151,18 +145,10 @@ public final class PlacingSession extends HandSession implements ImageListener {
     throw new TouchRefusedException("The stack has no label " + label + ".");
   }
 
-  /** Returns a point among the fragments, whose sample points keep out of each other's voxels. */
+  /** Returns a point among the fragments. */
   private static ToolScene tool(ContactScene scene) throws TouchRefusedException {
-    BodyScene bodies = scene.newBodies();
     try {
-      return new ToolScene(
-          scene,
-          bodies,
-          ToolSampler.point(),
-          MovableShapes.ofPoints(bodies),
-          List.of(Clearance.POINTS),
-          OptionalDouble.empty(),
-          CollisionDevice.CPU);
+      return ToolScene.ofPoint(scene);
     } catch (RigidScene.BodiesOverlapException e) {
       throw new TouchRefusedException("Two labels overlap: " + e.getMessage());
     }

@@ -1,10 +1,6 @@
 package org.palpate.host.placing;
 
-import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import org.palpate.body.BodyScene;
-import org.palpate.collision.CollisionDevice;
 import org.palpate.device.SimulatedDevice;
 import org.palpate.host.ContactScene;
 import org.palpate.host.ContactSettings;
@@ -12,9 +8,6 @@ import org.palpate.host.SessionSettings;
 import org.palpate.host.ToolScene;
 import org.palpate.host.TouchSession;
 import org.palpate.io.scene.PlacedVolume;
-import org.palpate.rigid.Clearance;
-import org.palpate.rigid.MovableShapes;
-import org.palpate.rigid.tool.ToolSampler;
 
 /** Makes scenes and sessions of placed bodies, which a point touches. */
 public final class PlacedScenes {
@@ -22,18 +15,9 @@ public final class PlacedScenes {
 
   /** Returns the scene of placed bodies. */
   public static ToolScene scene(PlacedVolume bodies) {
-    ContactScene contact =
+    return ToolScene.ofPoint(
         new ContactScene(
-            bodies.rest(), bodies.placements(), ContactSettings.standard(), Optional.empty());
-    BodyScene shared = contact.newBodies();
-    return new ToolScene(
-        contact,
-        shared,
-        ToolSampler.point(),
-        MovableShapes.ofPoints(shared),
-        List.of(Clearance.POINTS),
-        OptionalDouble.empty(),
-        CollisionDevice.CPU);
+            bodies.rest(), bodies.placements(), ContactSettings.standard(), Optional.empty()));
   }
 
   /** Returns a session with a simulated hand, which does not run yet. */
