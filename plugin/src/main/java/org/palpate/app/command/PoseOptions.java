@@ -15,7 +15,8 @@ final class PoseOptions {
         "Writes a scene file: the bodies of --scene or --phantom fracture where they stand at the"
             + " end, segments with their elasticity, or the fragments of --fracture, displaced."
             + " With --export it names that file, which then holds their voxels at rest, unless"
-            + " they have several grids. FILE.groups.csv holds locks and attachments, if any."
+            + " they have several grids. Beside NAME.json, NAME.groups.csv holds locks and"
+            + " attachments, if any."
       })
   private Path savedScene;
 
