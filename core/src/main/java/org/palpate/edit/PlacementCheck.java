@@ -18,6 +18,9 @@ final class PlacementCheck {
   /** The times that a check begins before it gives up, because a body goes on moving nearby. */
   static final int MOST_BEGINNINGS = 2000;
 
+  /** The frames that a check which began anew takes before it gives up as well. */
+  static final int MOST_FRAMES = 10_000;
+
   private final Placer placer;
 
   /** The body of each placement, by slot. */
@@ -45,6 +48,7 @@ final class PlacementCheck {
   private int other;
   private boolean isPairOpen;
   private int beginnings;
+  private int frames;
 
   /**
    * Creates a check that has not begun.
@@ -78,6 +82,7 @@ final class PlacementCheck {
     poses = wanted;
     isPairOpen = false;
     beginnings = 0;
+    frames = 0;
     hasChanged(); // From now on.
     beginAnew();
   }
@@ -94,11 +99,16 @@ final class PlacementCheck {
     if (hasChanged()) {
       beginAnew();
     }
-    Answer answer = beginnings > MOST_BEGINNINGS ? Answer.NO : look();
+    frames++;
+    Answer answer = givesUp() ? Answer.NO : look();
     if (answer != Answer.LATER) {
       drop();
     }
     return answer;
+  }
+
+  private boolean givesUp() {
+    return beginnings > MOST_BEGINNINGS || (beginnings > 1 && frames > MOST_FRAMES);
   }
 
   /** Whether voxels, or a body that is near or is looked at, have changed since the last call. */

@@ -206,6 +206,26 @@ class PlacementCheckTest {
   }
 
   @Test
+  void undoIsRefusedIfABodyStopsTheLookAgainAndAgainForTenSeconds() {
+    line.moveTo(1, 2);
+    line.moveTo(2, 2.5);
+    line.moveTo(3, 2.5); // a look at all takes 8 frames
+    int frames = 1;
+    for (; !history.undo(1); frames++) {
+      if (frames % 7 == 0) {
+        line.moveTo(3, 2 + frames % 2 / 2.0);
+      }
+    }
+    assertEquals(100, line.pose(0).translation.x);
+    assertEquals(1, history.refused());
+    assertEquals(PlacementCheck.MOST_FRAMES + 1, frames);
+    assertTrue(frames / 7 < PlacementCheck.MOST_BEGINNINGS);
+    line.moveTo(3, 30);
+    undoToTheEnd();
+    assertEquals(0, line.pose(0).translation.x);
+  }
+
+  @Test
   void whatIsUndoneIsAlwaysClearOfAllThatHasMoved() {
     int[] seen = new int[2];
     for (int n = 0; n < 2000; n++) {
