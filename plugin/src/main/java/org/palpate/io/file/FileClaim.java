@@ -2,9 +2,13 @@ package org.palpate.io.file;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -53,12 +57,18 @@ public final class FileClaim implements AutoCloseable {
   }
 
   private static Optional<FileClaim> lock(Path lockFile) throws IOException {
-    FileChannel channel =
-        FileChannel.open(lockFile, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+    create(lockFile);
+    Object key;
+    FileChannel channel;
+    try {
+      key = key(lockFile);
+      channel = FileChannel.open(lockFile, StandardOpenOption.WRITE);
+    } catch (NoSuchFileException e) {
+      return Optional.empty(); // a holder has just ended
+    }
     boolean isLocked = false;
     try {
-      // a holder that has just ended may have deleted the file that was opened
-      isLocked = channel.tryLock() != null && Files.exists(lockFile);
+      isLocked = channel.tryLock() != null && isStill(lockFile, key);
     } finally {
       if (!isLocked) {
         channel.close();
@@ -71,22 +81,51 @@ public final class FileClaim implements AutoCloseable {
     return Optional.of(new FileClaim(lockFile, channel));
   }
 
+  private static void create(Path lockFile) throws IOException {
+    try {
+      Files.createFile(lockFile);
+    } catch (FileAlreadyExistsException e) {
+      // a holder has it, or was killed
+    }
+  }
+
+  /** Returns the identity of a file; null if the system has none. */
+  private static Object key(Path file) throws IOException {
+    return Files.readAttributes(file, BasicFileAttributes.class).fileKey();
+  }
+
+  /**
+   * Whether a name still stands for a file. A holder that has just ended may have deleted the file
+   * that was opened, and the next one may have created another.
+   */
+  private static boolean isStill(Path lockFile, Object key) throws IOException {
+    try {
+      return Objects.equals(key(lockFile), key);
+    } catch (NoSuchFileException e) {
+      return false;
+    }
+  }
+
   /** Whether a holder has a file at present. */
   public static boolean isHeld(Path file) {
-    Path lockFile = lockFile(file);
-    if (HELD.contains(lockFile)) {
-      return true;
-    }
-    try (FileChannel channel = FileChannel.open(lockFile, StandardOpenOption.WRITE)) {
-      return channel.tryLock() == null;
+    try {
+      Path lockFile = lockFile(file);
+      return HELD.contains(lockFile) || isLocked(lockFile);
     } catch (IOException e) {
       return false; // nobody has locked a file that does not exist
     }
   }
 
-  private static Path lockFile(Path file) {
-    Path absolute = file.toAbsolutePath().normalize();
-    return absolute.resolveSibling("." + absolute.getFileName() + ".lock");
+  private static boolean isLocked(Path lockFile) throws IOException {
+    try (FileChannel channel = FileChannel.open(lockFile, StandardOpenOption.WRITE)) {
+      return channel.tryLock() == null;
+    }
+  }
+
+  /** Returns the lock file, which is the same for every name of the folder, also through links. */
+  private static Path lockFile(Path file) throws IOException {
+    Path absolute = file.toAbsolutePath();
+    return absolute.getParent().toRealPath().resolve("." + absolute.getFileName() + ".lock");
   }
 
   /** Gives the file back. */

@@ -38,6 +38,19 @@ class FileClaimTest {
   }
 
   @Test
+  void aHolderHasTheFileUnderEachNameOfItsFolder() throws IOException {
+    Path real = Files.createDirectories(folder.resolve("deep").resolve("real"));
+    Path link = Files.createSymbolicLink(folder.resolve("link"), real);
+    try (FileClaim claim = FileClaim.of(real.resolve("a.json")).orElseThrow()) {
+      assertNotNull(claim);
+      assertTrue(FileClaim.isHeld(link.resolve("a.json")));
+      assertEquals(Optional.empty(), FileClaim.of(link.resolve("a.json")));
+      Path up = link.resolve("..").resolve("real").resolve("a.json");
+      assertEquals(Optional.empty(), FileClaim.of(up));
+    }
+  }
+
+  @Test
   void whatAProcessLeftThatWasKilledIsClaimedAgain() throws IOException {
     Path file = folder.resolve("a.json");
     Files.createFile(lockFile());
