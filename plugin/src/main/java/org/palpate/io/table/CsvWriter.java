@@ -35,7 +35,10 @@ public final class CsvWriter {
     return this;
   }
 
-  /** Appends a text, in quotes if a comma, a quote or a line end would break the row. */
+  /**
+   * Appends a text, in quotes if a comma, a quote or a line end would break the row, or if it would
+   * begin a comment.
+   */
   public CsvWriter cell(String text) {
     part();
     row.append(quoted(text));
@@ -57,9 +60,9 @@ public final class CsvWriter {
     hasCell = false;
   }
 
-  /** Quotes a cell as RFC 4180 does, only if a comma, a quote or a line end would break the row. */
+  /** Quotes a cell as RFC 4180 does, only if it would break the row or begin a comment. */
   static String quoted(String text) {
     boolean plain = text.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
-    return plain ? text : "\"" + text.replace("\"", "\"\"") + "\"";
+    return plain && !text.startsWith("#") ? text : "\"" + text.replace("\"", "\"\"") + "\"";
   }
 }

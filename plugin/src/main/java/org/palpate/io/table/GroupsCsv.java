@@ -35,7 +35,7 @@ public final class GroupsCsv implements CsvLines.Rows {
 
   private GroupsCsv(Path file, List<String> bodies, IntPredicate canMove) {
     lines = new CsvLines(file);
-    this.bodies = bodies;
+    this.bodies = bodies.stream().map(GroupsCsv::inOneLine).toList();
     this.canMove = canMove;
     groups = BodyGroups.none(bodies.size());
   }
@@ -67,8 +67,13 @@ public final class GroupsCsv implements CsvLines.Rows {
       while (!groups.moveTogether(first, n)) {
         first++;
       }
-      rows.cell(bodies.get(n)).cell(first + 1L).cell(groups.isLocked(n) ? 1L : 0L).end();
+      rows.cell(inOneLine(bodies.get(n))).cell(first + 1L).cell(groups.isLocked(n) ? 1L : 0L).end();
     }
+  }
+
+  /** Returns a name as a row can hold it: in one line, without blanks around it. */
+  private static String inOneLine(String name) {
+    return name.strip().replaceAll("\\R+", " ");
   }
 
   /**

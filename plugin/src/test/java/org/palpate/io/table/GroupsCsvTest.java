@@ -20,6 +20,9 @@ import org.palpate.testing.Seeds;
 class GroupsCsvTest {
   private static final List<String> NAMES = List.of("skull", "a", "b,c", "d \"e\"", "f");
 
+  /** Names that would begin a comment, break a line, or lose their blanks. */
+  private static final List<String> HARD = List.of("skull", "#1", " b\t", "c\r\nd", "#");
+
   @TempDir private Path folder;
 
   private Path file() {
@@ -66,6 +69,20 @@ class GroupsCsvTest {
         }
       }
     }
+  }
+
+  @Test
+  void bodiesWithHardNamesKeepTheirLocksAndGroups() throws IOException {
+    BodyGroups groups = BodyGroups.none(HARD.size()).bound(1, 3).bound(2, 4).withLock(1, true);
+    try (OutputStream stream = Files.newOutputStream(file())) {
+      GroupsCsv.write(stream, HARD, groups);
+    }
+    BodyGroups back = GroupsCsv.read(file(), HARD, body -> body > 0).orElseThrow();
+    assertTrue(back.moveTogether(1, 3));
+    assertTrue(back.moveTogether(2, 4));
+    assertTrue(back.isLocked(3));
+    assertFalse(back.isLocked(2));
+    assertFalse(back.isLocked(0));
   }
 
   @Test
