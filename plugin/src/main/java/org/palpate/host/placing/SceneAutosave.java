@@ -3,6 +3,7 @@ package org.palpate.host.placing;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.palpate.body.BodyGroups;
@@ -24,6 +25,12 @@ import org.palpate.volume.SegmentedVolume;
 public final class SceneAutosave implements AutoCloseable {
   /** The time between two saves. */
   public static final long PERIOD_NANOS = 10_000_000_000L;
+
+  /**
+   * The most snapshots of poses for one save. Another one is needed if voxels changed after the
+   * last one.
+   */
+  private static final int MOST_SNAPSHOTS = 20;
 
   /** The time between two checks whether a frame has copied the poses. */
   private static final long FRAME_WAIT_NANOS = 20_000_000;
@@ -90,23 +97,39 @@ public final class SceneAutosave implements AutoCloseable {
   }
 
   private void tick() {
+    Optional<List<Pose>> poses = nextPoses();
+    for (int n = 1; n < MOST_SNAPSHOTS && poses.isPresent() && takeChanges(); n++) {
+      poses = nextPoses(); // a body may have left a place before it was filled
+    }
+    poses.ifPresent(left -> write(left, frame.groups()));
+  }
+
+  /** Waits for the poses that the next frame leaves; empty if the autosave is closed before. */
+  private Optional<List<Pose>> nextPoses() {
     PoseSnapshot snapshot = frame.snapshot();
     snapshot.request();
     while (!snapshot.isReady()) {
       if (closed) {
-        return;
+        return Optional.empty();
       }
       LockSupport.parkNanos(this, FRAME_WAIT_NANOS);
     }
-    save(snapshot.poses(), frame.groups());
+    return Optional.of(snapshot.poses());
   }
 
   /** Saves poses that a frame left, voxels, locks and groups, unless nothing changed. */
   synchronized void save(List<Pose> poses, BodyGroups groups) {
+    if (!closed) {
+      takeChanges();
+    }
+    write(poses, groups);
+  }
+
+  /** Saves poses and the voxels that were taken, locks and groups, unless nothing changed. */
+  private synchronized void write(List<Pose> poses, BodyGroups groups) {
     if (closed) {
       return;
     }
-    isCut |= cuts && takeChanges();
     if (savedPoses.isEmpty()) {
       savedPoses = poses;
       savedGroups = groups;
@@ -138,13 +161,15 @@ public final class SceneAutosave implements AutoCloseable {
 
   /**
    * Takes the voxels that frames have changed, and returns whether there are any. A frame that has
-   * copied poses has published all changes before; a later change of a brick is taken or not.
+   * copied poses has published all changes before; a later change of a brick is taken or not. If
+   * there are none, the voxels are those among which the frame left the poses.
    */
-  private boolean takeChanges() {
+  private synchronized boolean takeChanges() {
     boolean any = false;
-    for (int n = 0; n < voxels.segments().size(); n++) {
+    for (int n = 0; cuts && n < voxels.segments().size(); n++) {
       any |= takeChanges(start.rest().segments().get(n).bits(), voxels.segments().get(n).bits());
     }
+    isCut |= any;
     return any;
   }
 

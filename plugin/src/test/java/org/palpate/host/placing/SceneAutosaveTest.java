@@ -20,6 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.palpate.body.BodyGroups;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
+import org.palpate.frame.ToolFrame;
 import org.palpate.geometry.Pose;
 import org.palpate.geometry.Vec3;
 import org.palpate.host.ToolScene;
@@ -261,6 +262,37 @@ class SceneAutosaveTest {
       assertEquals(2, PlacedScenes.scene(saved()).bodies().count());
     }
     assertEquals(List.of(), failures);
+  }
+
+  @Test
+  void aBodyIsNotSavedInAPlaceThatWasFilledAfterItHadLeft()
+      throws InterruptedException, IOException {
+    PlacedVolume bodies = bodies(Optional.empty());
+    ToolScene scene = PlacedScenes.scene(bodies);
+    try (TouchSession session = PlacedScenes.session(scene)) {
+      ToolFrame frame = session.toolFrame().orElseThrow();
+      SceneAutosave autosave =
+          new SceneAutosave(bodies, true, frame, target, failures::add, 60_000_000_000L);
+      autosave.start();
+      runWhenAsked(frame, 0);
+      scene.bodies().body(1).setPose(Pose.at(0, 0, 30));
+      floor.set(10, 10, 12); // where the block was; before the autosave looks at voxels
+      for (int n = 1; n < 100 && !Files.exists(target.file()); n++) {
+        runWhenAsked(frame, n);
+      }
+      autosave.close();
+    }
+    assertEquals(30, saved().poses().get(1).translation.z);
+    assertTrue(saved().rest().segments().get(0).bits().get(10, 10, 12));
+    assertEquals(List.of(), failures);
+  }
+
+  /** Runs a frame as soon as the poses that it leaves are requested, or after 50 ms. */
+  private static void runWhenAsked(ToolFrame frame, int n) throws InterruptedException {
+    for (int wait = 0; wait < 50 && frame.snapshot().isReady(); wait++) {
+      TimeUnit.MILLISECONDS.sleep(1);
+    }
+    frame.run(n * 1_000_000L);
   }
 
   private static void await(TouchSession session, BooleanSupplier isSo)
