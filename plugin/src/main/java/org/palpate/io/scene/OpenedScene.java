@@ -28,6 +28,12 @@ public record OpenedScene(SceneFile scene, Path file) {
     return with(bodies, target);
   }
 
+  /** Returns the scene with some of its bodies alone, by their numbers. */
+  OpenedScene only(List<Integer> kept) {
+    List<SceneBody> bodies = kept.stream().map(scene.bodies()::get).toList();
+    return new OpenedScene(scene.with(bodies, scene.fills()), file);
+  }
+
   /**
    * Returns the scene with its bodies as labels of one volume, the first as 1, and at other poses.
    * Fills stay in the volumes that they have.

@@ -95,6 +95,30 @@ public record PlacedVolume(
     return new PlacedVolume(newRest, placements, world, files, notes, origin);
   }
 
+  /** Returns the numbers of the bodies that have a voxel. */
+  List<Integer> solid() {
+    return IntStream.range(0, placements.size())
+        .filter(n -> rest.segments().get(n).bits().solidCount() > 0)
+        .boxed()
+        .toList();
+  }
+
+  /** Returns some of these bodies alone, by their numbers. */
+  PlacedVolume only(List<Integer> kept) {
+    SegmentedVolume keptRest =
+        new SegmentedVolume(
+            rest.grid(),
+            kept.stream().map(rest.segments()::get).toList(),
+            kept.stream().map(rest::grid).toList());
+    return new PlacedVolume(
+        keptRest,
+        kept.stream().map(placements::get).toList(),
+        world,
+        files,
+        notes,
+        origin.map(opened -> opened.only(kept)));
+  }
+
   /**
    * Returns a scene that names the files of the scene that was read.
    *

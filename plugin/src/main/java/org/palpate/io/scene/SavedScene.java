@@ -3,6 +3,7 @@ package org.palpate.io.scene;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.palpate.body.BodyGroups;
 import org.palpate.io.VolumeWriter;
 import org.palpate.io.file.FileClaim;
@@ -38,7 +39,8 @@ public final class SavedScene implements AutoCloseable {
   }
 
   /**
-   * Replaces the scene file.
+   * Replaces the scene file. A body without a voxel, which was cut away, is left out, because no
+   * scene with it can be read.
    *
    * @param bodies the bodies where they are; nobody edits their voxels meanwhile
    * @param cut whether voxels changed after the last call, or after the session began
@@ -47,6 +49,16 @@ public final class SavedScene implements AutoCloseable {
    * @throws IllegalArgumentException if voxels changed and the bodies have several grids
    */
   public void write(PlacedVolume bodies, boolean cut, BodyGroups groups) throws IOException {
+    List<Integer> solid = bodies.solid();
+    boolean isWhole = solid.isEmpty() || solid.size() == bodies.placements().size();
+    if (isWhole) {
+      replace(bodies, cut, groups);
+    } else {
+      replace(bodies.only(solid), cut, only(solid, groups));
+    }
+  }
+
+  private void replace(PlacedVolume bodies, boolean cut, BodyGroups groups) throws IOException {
     if (cut || (!hasVolume && bodies.origin().isEmpty())) {
       VolumeWriter.write(new SegmentsAsLabels(bodies.rest(), bodies.world()), volume);
       hasVolume = true;
@@ -57,6 +69,20 @@ public final class SavedScene implements AutoCloseable {
             : bodies.sceneOfFiles(file);
     SceneWriter.replace(file, scene, bodies.names(), groups);
     isWritten = true;
+  }
+
+  /** Returns the locks and groups of some bodies alone, by their numbers. */
+  private static BodyGroups only(List<Integer> kept, BodyGroups groups) {
+    BodyGroups only = BodyGroups.none(kept.size());
+    for (int n = 0; n < kept.size(); n++) {
+      for (int m = 0; m < n; m++) {
+        only = groups.moveTogether(kept.get(m), kept.get(n)) ? only.bound(m, n) : only;
+      }
+    }
+    for (int n = 0; n < kept.size(); n++) {
+      only = groups.isLocked(kept.get(n)) ? only.withLock(n, true) : only;
+    }
+    return only;
   }
 
   /**

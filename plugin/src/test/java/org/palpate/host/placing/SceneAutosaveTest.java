@@ -188,6 +188,30 @@ class SceneAutosaveTest {
   }
 
   @Test
+  void aBodyThatWasCutAwayIsLeftOutUntilUndoBringsItBack() throws IOException {
+    SceneAutosave autosave = autosave(bodies(Optional.empty()), true);
+    BodyGroups locked = FREE.withLock(1, true);
+    autosave.save(poses(1), locked);
+    BitCube whole = floor.copy();
+    whole.forEachRimVoxel(floor::clear);
+    while (floor.solidCount() > 0) {
+      floor.copy().forEachRimVoxel(floor::clear);
+    }
+    autosave.save(poses(2), locked);
+    PlacedVolume left = saved();
+    assertEquals(List.of("block"), left.names());
+    assertTrue(left.poses().get(0).sameBits(poses(2).get(1)));
+    assertEquals(Mobility.MOVABLE, left.placements().get(0).mobility());
+    assertSameVoxels(block, left.rest().segments().get(0).bits());
+    assertTrue(left.groups().orElseThrow().isLocked(0));
+    whole.forEachRimVoxel(floor::set);
+    autosave.save(poses(3), FREE);
+    assertEquals(List.of("floor", "block"), saved().names());
+    assertTrue(saved().poses().get(1).sameBits(poses(3).get(1)));
+    assertEquals(Optional.empty(), saved().groups());
+  }
+
+  @Test
   void locksAreSavedEvenIfNothingMoves() throws IOException {
     SceneAutosave autosave = autosave(bodies(Optional.empty()), false);
     autosave.save(poses(1), FREE);
