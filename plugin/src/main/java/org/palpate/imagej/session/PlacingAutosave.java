@@ -11,16 +11,21 @@ import org.palpate.body.BodyGroups;
 import org.palpate.body.Mobility;
 import org.palpate.body.Placement;
 import org.palpate.frame.ToolFrame;
+import org.palpate.geometry.Vec3;
 import org.palpate.host.placing.SceneAutosave;
 import org.palpate.imagej.stack.StackVolume;
 import org.palpate.imagej.stack.TouchRefusedException;
 import org.palpate.io.scene.AutosaveFiles;
+import org.palpate.io.scene.BodyReader;
 import org.palpate.io.scene.PlacedVolume;
 import org.palpate.io.scene.SavedScene;
 import org.palpate.io.scene.SceneBody;
 import org.palpate.io.scene.SceneFile;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.table.GroupsCsv;
+import org.palpate.volume.BitCube;
+import org.palpate.volume.Segment;
+import org.palpate.volume.SegmentedVolume;
 
 /**
  * The autosave of fragments that are placed, and what an earlier session of the same stack left. It
@@ -100,11 +105,11 @@ final class PlacingAutosave implements AutoCloseable {
   /**
    * Returns where an earlier session of a stack left the fragments.
    *
-   * @param names the names of the fragments, in their order
+   * @param fragments the fragments as they are in the stack
    * @param atRest their placements in the stack, which give the mobility
    * @throws TouchRefusedException if none was left, or it has other fragments or is damaged
    */
-  static Start resume(StackVolume stack, List<String> names, List<Placement> atRest)
+  static Start resume(StackVolume stack, SegmentedVolume fragments, List<Placement> atRest)
       throws TouchRefusedException {
     Optional<Path> file = left(stack);
     if (file.isEmpty()) {
@@ -112,7 +117,9 @@ final class PlacingAutosave implements AutoCloseable {
     }
     try {
       SceneFile scene = SceneReader.read(file.get());
-      if (!scene.bodies().stream().map(SceneBody::name).toList().equals(names)) {
+      List<String> names = fragments.segments().stream().map(Segment::name).toList();
+      if (!scene.bodies().stream().map(SceneBody::name).toList().equals(names)
+          || !areSame(BodyReader.read(scene, file.get()).rest(), fragments)) {
         throw new TouchRefusedException(
             file.get() + " has other fragments than the stack: leave Resume out.");
       }
@@ -129,6 +136,30 @@ final class PlacingAutosave implements AutoCloseable {
     } catch (IOException e) {
       throw new TouchRefusedException("The session cannot be resumed: " + e.getMessage());
     }
+  }
+
+  /** Whether fragments have the same voxels, which may differ in a stack of the same title. */
+  private static boolean areSame(SegmentedVolume one, SegmentedVolume other) {
+    boolean same = one.grid().spacingMm().sub(other.grid().spacingMm(), new Vec3()).length() < 1e-6;
+    for (int n = 0; n < one.segments().size() && same; n++) {
+      same = haveSameVoxels(one.segments().get(n).bits(), other.segments().get(n).bits());
+    }
+    return same;
+  }
+
+  private static boolean haveSameVoxels(BitCube one, BitCube other) {
+    boolean same =
+        one.sizeX() == other.sizeX()
+            && one.sizeY() == other.sizeY()
+            && one.sizeZ() == other.sizeZ();
+    for (int z = 0; z < one.bricksZ() && same; z++) {
+      for (int y = 0; y < one.bricksY() && same; y++) {
+        for (int x = 0; x < one.bricksX() && same; x++) {
+          same = one.brick(x, y, z) == other.brick(x, y, z);
+        }
+      }
+    }
+    return same;
   }
 
   /** Starts to save. */

@@ -106,7 +106,7 @@ public final class PlacingSession extends HandSession implements ImageListener {
   private PlacingAutosave.Start start(PlaceOptions options) throws TouchRefusedException {
     List<Placement> atRest = placements(options.fixed());
     return options.resume()
-        ? PlacingAutosave.resume(stack, names(), atRest)
+        ? PlacingAutosave.resume(stack, volume, atRest)
         : new PlacingAutosave.Start(atRest, Optional.empty());
   }
 

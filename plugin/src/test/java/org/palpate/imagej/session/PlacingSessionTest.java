@@ -146,6 +146,11 @@ class PlacingSessionTest {
       endInOrder(session);
     }
     assertEquals(3, autosaved().size(), "its own are deleted, what it resumed stays");
+    ImagePlus other = opened();
+    other.getStack().setVoxel(12, 12, 12, 0);
+    assertRefuses(
+        StackVolume.shownIn(other),
+        folder.resolve("labels.tif.autosave.json") + " has other fragments than the stack");
     try (PlacingSession session = new PlacingSession(stack, options(0))) {
       assertEquals("0.0,0.0,0.0,1.0,0.0,0.0,0.0", session.pose("label 7"));
     }
