@@ -282,7 +282,7 @@ public final class SessionView implements AutoCloseable {
     if (session.held().isPresent()) {
       input.onDrag(
           WindowInput.DragKeys.CONTROL_AND_SHIFT,
-          "turn the tool",
+          "turn the tool, or the body in hand",
           (right, up) -> mouse.turn(model.camera().dragRotation(right, up, model.axes())));
     }
   }
