@@ -3,6 +3,7 @@ package org.palpate.io.file;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -41,7 +42,15 @@ public final class FileClaim implements AutoCloseable {
    *     locks
    */
   public static Optional<FileClaim> of(Path file) throws IOException {
-    Path lockFile = lockFile(file);
+    try {
+      return claim(lockFile(file));
+    } catch (FileSystemException e) {
+      // some of these exceptions have nothing but a file as their message
+      throw new FileSystemException(file.toString(), null, WriteFailedException.reason(e));
+    }
+  }
+
+  private static Optional<FileClaim> claim(Path lockFile) throws IOException {
     if (!HELD.add(lockFile)) {
       return Optional.empty();
     }

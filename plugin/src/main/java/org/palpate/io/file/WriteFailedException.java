@@ -16,7 +16,7 @@ public final class WriteFailedException extends IOException {
   }
 
   /** Returns the system's own reason without the name of the temporary file. */
-  private static String reason(IOException cause) {
+  static String reason(IOException cause) {
     if (cause instanceof FileSystemException system) {
       String said = system.getReason();
       return said == null ? cause.getClass().getSimpleName().replace("Exception", "") : said;

@@ -71,7 +71,8 @@ class FileClaimTest {
   @Test
   void aFolderThatCannotBeWrittenToIsAnError() {
     Path file = folder.resolve("missing").resolve("a.json");
-    assertThrows(IOException.class, () -> FileClaim.of(file));
+    IOException said = assertThrows(IOException.class, () -> FileClaim.of(file));
+    assertEquals(file + ": NoSuchFile", said.getMessage());
     assertThrows(IOException.class, () -> FileClaim.of(file), "not held by the first try");
     assertFalse(FileClaim.isHeld(file));
   }
