@@ -183,7 +183,8 @@ public final class HeightScreen {
       return false;
     }
     int points = tree.isLeaf(node) ? tree.end(node) - tree.first(node) : 0;
-    if (!trial.asks(points)) {
+    trial.comeTo(points);
+    if (!trial.asks()) {
       ground = Double.POSITIVE_INFINITY;
       return false;
     }

@@ -51,17 +51,20 @@ final class ScreenTrial {
   }
 
   /**
-   * Returns whether to ask the screen.
-   *
-   * @param points the points that are tested if it is not asked
+   * Comes to points that are tested if the screen is not asked. If they have become too many, it is
+   * asked again.
    */
-  boolean asks(int points) {
+  void comeTo(int points) {
     if (!asks) {
       cost += points;
       if (cost > TOO_DEAR * usualCost) {
-        askAgain(Math.min(LONGEST_PERIOD, 2 * period));
+        askAgain();
       }
     }
+  }
+
+  /** Whether to ask the screen. */
+  boolean asks() {
     return asks;
   }
 
@@ -87,14 +90,14 @@ final class ScreenTrial {
     } else if (left > 0) {
       settledCost += left-- <= SETTLED ? cost : 0;
       if (left == 0 && settledCost >= SETTLED * usualCost) {
-        askAgain(Math.min(LONGEST_PERIOD, 2 * period));
+        askAgain();
       }
     }
   }
 
-  private void askAgain(int newPeriod) {
+  private void askAgain() {
     asks = true;
-    period = newPeriod;
-    left = newPeriod;
+    period = Math.min(LONGEST_PERIOD, 2 * period);
+    left = period;
   }
 }

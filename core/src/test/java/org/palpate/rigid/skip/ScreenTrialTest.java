@@ -63,13 +63,18 @@ class ScreenTrialTest {
     aScreenThatSavesNothingIsLeftOutAfterOneTrial();
     trial.begin();
     int left = 0;
-    while (!trial.asks(POINTS)) {
+    while (!asks()) {
       left++;
     }
     trial.end();
     // Asking cost the answers and all points of 50 leaves. Four times that is left out at most.
     assertTrue(left > 0 && left <= 4 * LEAVES * (4 + POINTS) / POINTS, left + " leaves");
     assertTrue(verify(LEAVES, LEAVES, LEAVES), "it goes on asking");
+  }
+
+  private boolean asks() {
+    trial.comeTo(POINTS);
+    return trial.asks();
   }
 
   /**
@@ -82,14 +87,14 @@ class ScreenTrialTest {
    */
   private boolean verify(int notFound, int leaves, int without) {
     trial.begin();
-    boolean asked = trial.asks(POINTS);
+    boolean asked = asks();
     int count = asked ? leaves : without;
     for (int n = 1; n <= count; n++) {
       if (asked) {
         trial.countAnswer();
         trial.countPoints(n <= notFound ? POINTS : 0);
       }
-      asked = n < count ? trial.asks(POINTS) : asked;
+      asked = n < count ? asks() : asked;
     }
     trial.end();
     return asked;
