@@ -1,11 +1,14 @@
 package org.palpate.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -61,6 +64,23 @@ class ToolTouchTest {
     assertEquals(session.get("/frames"), replay.get("/frames"));
     assertEquals(session.get("/contact_frames"), replay.get("/contact_frames"));
     assertEquals(session.get("/freed"), replay.get("/freed"));
+  }
+
+  @Test
+  void aToolIsHeldUprightWithoutAnOrientationAndAPointHasNoneToHold() throws IOException {
+    Path still = folder.resolve("still.csv");
+    Files.writeString(still, "t_ms,x,y,z\n0,-30,-30,-30\n100,-30,-30,-30\n");
+    assertTrue(printedByTouch(still, "--tool", "sphere:2").contains("the tool is held upright"));
+    assertFalse(printedByTouch(still, "--tool", "point").contains("upright"));
+  }
+
+  private static String printedByTouch(Path device, String... tool) {
+    List<Object> all = new ArrayList<>(List.of("touch", "--headless", "--device"));
+    all.addAll(List.of("replay:" + device, "--phantom", "fracture:64:2"));
+    all.addAll(List.of(tool));
+    CommandRun run = CommandRun.of(all.toArray());
+    run.mustSucceed();
+    return run.out();
   }
 
   @Test

@@ -157,7 +157,8 @@ final class SessionScene {
   /** Returns notes for the user, a sentence each. */
   List<String> notes(DeviceSpecification device) {
     List<String> notes = new ArrayList<>();
-    if (rigid.isPresent() && !device.hasOrientation()) {
+    boolean canTurn = rigid.filter(made -> made.tool().count() > 1).isPresent();
+    if (canTurn && !device.hasOrientation()) {
       notes.add("The device has no orientation, so the tool is held upright.");
     }
     if (!scene.tissues().isEmpty()) {
