@@ -139,9 +139,7 @@ public final class Camera {
   public Vec3 turn(Vec3 seen, WorldAxes world) {
     RigidTransform picture = axes(world);
     Vec3 turned = picture.rotate(seen, new Vec3());
-    double handedness =
-        picture.axisX().cross(picture.axisY(), new Vec3()).dot(picture.axisZ()); // 1 or -1
-    return turned.mul(Math.signum(handedness), turned);
+    return turned.mul(picture.isMirrored() ? -1 : 1, turned);
   }
 
   /** Returns the distance from the target. */
