@@ -11,15 +11,11 @@ import java.util.OptionalDouble;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
 import org.palpate.geometry.IntBox;
 import org.palpate.geometry.RigidTransform;
 import org.palpate.geometry.Vec3;
-import org.palpate.scene.Camera;
 import org.palpate.scene.ClipPlane;
 import org.palpate.scene.GreySlices;
-import org.palpate.scene.Matrix4;
 import org.palpate.scene.NamedPoint;
 import org.palpate.scene.SceneLoader;
 import org.palpate.scene.SceneModel;
@@ -31,7 +27,6 @@ import org.palpate.scene.SurfaceTint;
 import org.palpate.scene.Theme;
 import org.palpate.scene.TouchMarks;
 import org.palpate.scene.WorldAxes;
-import org.palpate.scene.gl.PickedPoint;
 import org.palpate.scene.surface.SurfaceJob;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.ScalarVolume;
@@ -43,9 +38,7 @@ import org.palpate.volume.VoxelGrid;
 class OffscreenRendererWindowTest {
   private static final int WIDTH = 320;
   private static final int HEIGHT = 240;
-  private static final int EDGE = 24;
-  private static final int RED = 0xd03020;
-  private static final int BLUE = 0x2040d0;
+  private static final int EDGE = TwoBoxes.EDGE;
 
   private OffscreenRenderer scene;
 
@@ -64,7 +57,7 @@ class OffscreenRendererWindowTest {
 
   @Test
   void drawsASegmentInItsColourInFrontOfTheBackground() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     Picture picture = scene.draw(model.state());
     assertTrue(isReddish(picture.rgb(WIDTH / 2 - 60, HEIGHT / 2)), "the box at low x is red");
@@ -77,7 +70,7 @@ class OffscreenRendererWindowTest {
     RigidTransform mirror =
         new RigidTransform(
             new Vec3(-1, 0, 0), new Vec3(0, 1, 0), new Vec3(0, 0, 1), new Vec3(EDGE, 0, 0));
-    SceneModel model = model(WorldAxes.UNKNOWN, mirror);
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, mirror);
     model.look(StandardView.FRONT, 4.0 / 3);
     Picture picture = scene.draw(model.state());
     int blue = picture.rgb(WIDTH / 2 - 60, HEIGHT / 2);
@@ -90,7 +83,7 @@ class OffscreenRendererWindowTest {
   @Test
   void theFrontViewHasThePatientsRightOnTheLeftForEveryWorld() throws Exception {
     for (WorldAxes axes : WorldAxes.values()) {
-      SceneModel model = model(axes, RigidTransform.identity());
+      SceneModel model = TwoBoxes.model(axes, RigidTransform.identity());
       model.look(StandardView.FRONT, 4.0 / 3);
       Picture picture = scene.draw(model.state());
       boolean lowXIsPatientsRight = axes != WorldAxes.RAS;
@@ -101,7 +94,7 @@ class OffscreenRendererWindowTest {
 
   @Test
   void aHiddenSegmentIsNotDrawn() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     model.setVisible(model.objects().get(0), false);
     Picture picture = scene.draw(model.state());
@@ -111,7 +104,7 @@ class OffscreenRendererWindowTest {
 
   @Test
   void aTintColoursASurfaceWhereItsValueIsKnown() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     List<SurfaceTint.Sample> samples = new ArrayList<>();
     for (int n = 0; n < EDGE * EDGE * EDGE / 2; n++) { // the lower half of each box
@@ -138,7 +131,7 @@ class OffscreenRendererWindowTest {
 
   @Test
   void aClippingPlaneShowsTheInsideOfWhatItCuts() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     Picture whole = scene.draw(model.state());
     Picture uncut = drawClippedAt(-1, model);
@@ -158,7 +151,7 @@ class OffscreenRendererWindowTest {
 
   @Test
   void slicesShowTheGreyValuesOfTheirVoxels() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     model.objects().forEach(object -> model.setVisible(object, false));
     ScalarVolume values =
@@ -179,7 +172,7 @@ class OffscreenRendererWindowTest {
 
   @Test
   void staticPartsAreDrawnOnceWhileTheDeviceMoves() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     scene.draw(model.state());
     for (int i = 0; i < 5; i++) {
@@ -194,7 +187,7 @@ class OffscreenRendererWindowTest {
 
   @Test
   void drawsTheInteractionPointAtItsPosition() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     model.setMarks(Optional.of(marksAt(new Vec3(12, -2, 12))));
     int rgb = scene.draw(model.state()).rgb(WIDTH / 2, HEIGHT / 2);
@@ -203,7 +196,7 @@ class OffscreenRendererWindowTest {
 
   @Test
   void drawsALandmarkAtItsPositionWithItsNameBesideIt() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     Picture without = scene.draw(model.state());
     model.setLandmarks(List.of(new NamedPoint("tip", new Vec3(12, -2, 12))));
@@ -221,10 +214,11 @@ class OffscreenRendererWindowTest {
 
   @Test
   void aPointLessThanAVoxelBehindTheSurfaceIsVisibleAndOneFartherBehindIsFaint() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     scene.draw(model.state());
-    Vec3 surface = picked(model, WIDTH / 2.0 - 60, HEIGHT / 2.0).surfaceMm();
+    Vec3 surface =
+        scene.pick(model.state(), WIDTH / 2.0 - 60, HEIGHT / 2.0).orElseThrow().surfaceMm();
     int justBehind = orange(model, surface.add(new Vec3(0, 0.9, 0), new Vec3()));
     int farBehind = orange(model, surface.add(new Vec3(0, 3, 0), new Vec3()));
     assertTrue(justBehind > farBehind + 30, justBehind + " " + farBehind);
@@ -238,73 +232,6 @@ class OffscreenRendererWindowTest {
   }
 
   @Test
-  void aPickedPixelIsAPointOfTheSurface() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
-    model.look(StandardView.FRONT, 4.0 / 3);
-    scene.draw(model.state());
-    Vec3 place = picked(model, WIDTH / 2.0 - 60, HEIGHT / 2.0).surfaceMm();
-    assertEquals(8, place.y, 0.2, "the boxes begin at y = 8");
-    assertTrue(place.x > 2 && place.x < 9, place.toString());
-    assertTrue(scene.pick(model.state(), 2, 2).isEmpty(), "the background is no place");
-  }
-
-  private PickedPoint picked(SceneModel model, double x, double y) throws Exception {
-    return scene.pick(model.state(), x, y).orElseThrow();
-  }
-
-  @ParameterizedTest
-  @EnumSource(
-      value = Stereo.class,
-      names = {"ANAGLYPH", "SIDE_BY_SIDE"})
-  void inStereoAPickedPixelIsWhatItsEyeSees(Stereo stereo) throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
-    model.look(StandardView.FRONT, 4.0 / 3);
-    model.changeLook(look -> look.with(stereo));
-    scene.draw(model.state());
-    Camera camera = model.state().camera();
-    int found = 0;
-    for (int x = 4; x < WIDTH; x += 7) {
-      for (int y = 4; y < HEIGHT; y += 7) {
-        Optional<PickedPoint> picked = scene.pick(model.state(), x, y);
-        if (picked.isPresent()) {
-          found++;
-          assertShownAt(x, y, picked.get(), model, stereo);
-          assertInFaceOfABox(picked.get().surfaceMm());
-        }
-      }
-    }
-    assertTrue(found > 100, "found=" + found + " " + camera.eye());
-  }
-
-  /** Checks by projection, as the picture was drawn, that the eye sees a point at a pixel. */
-  private static void assertShownAt(
-      int x, int y, PickedPoint picked, SceneModel model, Stereo stereo) {
-    boolean halves = stereo == Stereo.SIDE_BY_SIDE;
-    int width = halves ? WIDTH / 2 : WIDTH;
-    int eye = halves && x >= width ? 1 : -1;
-    Camera camera = model.state().camera();
-    Matrix4 toPicture =
-        camera
-            .perspective(
-                eye, (double) width / HEIGHT, model.state().middle(), model.state().radiusMm())
-            .times(camera.view(eye));
-    Vec3 shown = new Vec3();
-    toPicture.project(picked.surfaceMm(), shown);
-    assertEquals(x % width + 0.5, (shown.x + 1) / 2 * width, 1e-6);
-    assertEquals(y + 0.5, (1 - shown.y) / 2 * HEIGHT, 1e-6);
-    double apart = picked.eyeMm().sub(camera.eye(), new Vec3()).dot(camera.right());
-    assertEquals(eye, Math.signum(apart));
-  }
-
-  /** A wrong line of sight would end beside or behind the boxes. */
-  private static void assertInFaceOfABox(Vec3 surface) {
-    boolean inX = (surface.x > 1.7 && surface.x < 11.3) || (surface.x > 12.7 && surface.x < 22.3);
-    boolean inY = surface.y > 7.7 && surface.y < 16.3;
-    boolean inZ = surface.z > 3.7 && surface.z < 20.3;
-    assertTrue(inX && inY && inZ, surface.toString());
-  }
-
-  @Test
   void lettersAreShownIfTheAxesAreKnown() throws Exception {
     Picture with = lettered(WorldAxes.LPS);
     Picture without = lettered(WorldAxes.UNKNOWN);
@@ -313,14 +240,14 @@ class OffscreenRendererWindowTest {
   }
 
   private Picture lettered(WorldAxes axes) throws Exception {
-    SceneModel model = model(axes, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(axes, RigidTransform.identity());
     model.look(StandardView.FRONT, 4.0 / 3);
     return scene.draw(model.state());
   }
 
   @Test
   void theTwoEyesSeeDifferentPictures() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.OBLIQUE, 4.0 / 3);
     model.changeLook(look -> look.with(Stereo.SIDE_BY_SIDE));
     Picture pair = scene.draw(model.state());
@@ -337,7 +264,7 @@ class OffscreenRendererWindowTest {
 
   @Test
   void aTranslucentSegmentShowsTheOneBehindIt() throws Exception {
-    SceneModel model = model(WorldAxes.UNKNOWN, RigidTransform.identity());
+    SceneModel model = TwoBoxes.model(WorldAxes.UNKNOWN, RigidTransform.identity());
     model.look(StandardView.LEFT, 4.0 / 3);
     int before = scene.draw(model.state()).rgb(WIDTH / 2, HEIGHT / 2);
     assertTrue(isBluish(before), "blue hides red from the left: " + Integer.toHexString(before));
@@ -350,12 +277,14 @@ class OffscreenRendererWindowTest {
   void aGhostIsDrawnFaintlyWhereItStandsAndTheSegmentsBehindItAreSeen() throws Exception {
     RigidTransform lower = RigidTransform.identity();
     lower.origin().set(0, 0, -EDGE);
-    SegmentedVolume below = volume(lower);
+    SegmentedVolume below = TwoBoxes.volume(lower);
     SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
-    try (SceneLoader loader = new SceneLoader(model, volume(RigidTransform.identity()), 1)) {
+    try (SceneLoader loader =
+        new SceneLoader(model, TwoBoxes.volume(RigidTransform.identity()), 1)) {
       loader.addGhosts(
           new SegmentedVolume(
-              below.grid(), List.of(new Segment("ghost", below.segments().get(0).bits(), BLUE))));
+              below.grid(),
+              List.of(new Segment("ghost", below.segments().get(0).bits(), TwoBoxes.BLUE))));
       loader.await(60_000);
       assertEquals(2, loader.weldedSurfaces().size(), "a ghost is no segment of the loader");
     }
@@ -373,64 +302,9 @@ class OffscreenRendererWindowTest {
     assertTrue(differing(shown, opaque, 0, HEIGHT / 2, WIDTH, HEIGHT) > 1000, "it is faint");
   }
 
-  @ParameterizedTest
-  @EnumSource(
-      value = Stereo.class,
-      names = {"OFF", "SIDE_BY_SIDE"})
-  void aPickedPixelIsThatOfTheSegmentBehindGhosts(Stereo stereo) throws Exception {
-    RigidTransform nearer = RigidTransform.identity();
-    nearer.origin().set(0, -EDGE, 0);
-    SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
-    try (SceneLoader loader = new SceneLoader(model, volume(RigidTransform.identity()), 1)) {
-      loader.addGhosts(volume(nearer));
-      loader.await(60_000);
-    }
-    model.look(StandardView.FRONT, 4.0 / 3);
-    model.changeLook(look -> look.with(stereo));
-    List<Optional<PickedPoint>> withGhosts = picks(model);
-    model.setGhost(model.objects().get(0), Optional.of(nearer));
-    List<Optional<PickedPoint>> withStartingPose = picks(model);
-    model.setGhost(model.objects().get(0), Optional.empty());
-    model.setVisible(model.objects().get(2), false);
-    model.setVisible(model.objects().get(3), false);
-    List<Optional<PickedPoint>> without = picks(model);
-    assertSamePoints(without, withGhosts);
-    assertSamePoints(without, withStartingPose);
-  }
-
-  private List<Optional<PickedPoint>> picks(SceneModel model) throws Exception {
-    scene.draw(model.state());
-    List<Optional<PickedPoint>> picks = new ArrayList<>();
-    for (int x = 3; x < WIDTH; x += 6) {
-      for (int y = 3; y < HEIGHT; y += 6) {
-        picks.add(scene.pick(model.state(), x, y));
-      }
-    }
-    return picks;
-  }
-
-  /** Checks that all points agree but those of pixels at edges, which lie elsewhere in a pixel. */
-  private static void assertSamePoints(
-      List<Optional<PickedPoint>> expected, List<Optional<PickedPoint>> found) {
-    int met = 0;
-    int differing = 0;
-    for (int n = 0; n < expected.size(); n++) {
-      Optional<PickedPoint> one = expected.get(n);
-      Optional<PickedPoint> other = found.get(n);
-      met += one.isPresent() ? 1 : 0;
-      boolean isSame =
-          one.isPresent() == other.isPresent()
-              && (one.isEmpty()
-                  || one.get().surfaceMm().sub(other.get().surfaceMm(), new Vec3()).length() < 0.2);
-      differing += isSame ? 0 : 1;
-    }
-    assertTrue(met > 100, "met " + met);
-    assertTrue(differing <= met / 50, differing + " of " + met + " differ");
-  }
-
   @Test
   void anEditAppearsInTheNextPicture() throws Exception {
-    SegmentedVolume volume = volume(RigidTransform.identity());
+    SegmentedVolume volume = TwoBoxes.volume(RigidTransform.identity());
     SceneModel model = new SceneModel(WorldAxes.UNKNOWN, Theme.DARK);
     try (SceneLoader loader = new SceneLoader(model, volume, 1)) {
       loader.await(60_000);
@@ -468,33 +342,6 @@ class OffscreenRendererWindowTest {
 
   private static TouchMarks marksAt(Vec3 point) {
     return new TouchMarks(point, point, new Vec3(), false, List.of());
-  }
-
-  private static SceneModel model(WorldAxes axes, RigidTransform pose) throws Exception {
-    SceneModel model = new SceneModel(axes, Theme.DARK);
-    try (SceneLoader loader = new SceneLoader(model, volume(pose), 1)) {
-      loader.await(60_000);
-    }
-    return model;
-  }
-
-  /** Returns two boxes side by side: red at low x, blue at high x. */
-  private static SegmentedVolume volume(RigidTransform pose) {
-    VoxelGrid grid = new VoxelGrid(EDGE, EDGE, EDGE, new Vec3(1, 1, 1), pose);
-    return new SegmentedVolume(
-        grid, List.of(new Segment("red", box(2), RED), new Segment("blue", box(13), BLUE)));
-  }
-
-  private static BitCube box(int fromX) {
-    BitCube bits = new BitCube(EDGE, EDGE, EDGE);
-    for (int k = 4; k < 20; k++) {
-      for (int j = 8; j < 16; j++) {
-        for (int i = fromX; i < fromX + 9; i++) {
-          bits.set(i, j, k);
-        }
-      }
-    }
-    return bits;
   }
 
   private static boolean isReddish(int rgb) {
