@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.palpate.io.file.FileClaim;
+import org.palpate.io.table.GroupsCsv;
 
 /**
  * The names under which sessions of one input are saved while they run: {@code NAME.autosave.json},
@@ -54,9 +55,7 @@ public final class AutosaveFiles {
 
   /** Returns the name of a scene file without its ending and without the mark of these files. */
   private static String word(Path scene) {
-    String name = scene.getFileName().toString();
-    String whole = name.endsWith(SCENE) ? name.substring(0, name.length() - SCENE.length()) : name;
-    return NUMBERED.matcher(whole).replaceFirst("");
+    return NUMBERED.matcher(GroupsCsv.stem(scene)).replaceFirst("");
   }
 
   private Path file(int number, String ending) {

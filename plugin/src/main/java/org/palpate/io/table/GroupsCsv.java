@@ -42,10 +42,14 @@ public final class GroupsCsv implements CsvLines.Rows {
 
   /** Returns the table that belongs to a scene file: {@code NAME.groups.csv}. */
   public static Path beside(Path scene) {
+    return scene.resolveSibling(stem(scene) + ".groups.csv");
+  }
+
+  /** Returns the name of a scene file without its folder and its ending, if it has that ending. */
+  public static String stem(Path scene) {
     String name = scene.getFileName().toString();
     boolean hasEnding = name.endsWith(SCENE_ENDING);
-    String stem = hasEnding ? name.substring(0, name.length() - SCENE_ENDING.length()) : name;
-    return scene.resolveSibling(stem + ".groups.csv");
+    return hasEnding ? name.substring(0, name.length() - SCENE_ENDING.length()) : name;
   }
 
   /** Whether a body is locked or does not move alone, by the number of all bodies. */
