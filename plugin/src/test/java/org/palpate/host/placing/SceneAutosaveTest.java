@@ -33,6 +33,7 @@ import org.palpate.io.scene.SavedScene;
 import org.palpate.io.scene.SceneFile;
 import org.palpate.io.scene.SceneReader;
 import org.palpate.io.volume.CoordinateSystem;
+import org.palpate.testing.SameVoxels;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.Segment;
 import org.palpate.volume.SegmentedVolume;
@@ -112,11 +113,6 @@ class SceneAutosaveTest {
     }
   }
 
-  private static void assertSameVoxels(BitCube expected, BitCube found) {
-    assertEquals(expected.solidCount(), found.solidCount());
-    expected.forEachRimVoxel((i, j, k) -> assertTrue(found.get(i, j, k)));
-  }
-
   @Test
   void aMovedFragmentIsSavedWithItsVoxelsToTheBit() throws IOException {
     SceneAutosave autosave = autosave(bodies(Optional.empty()), false);
@@ -132,8 +128,8 @@ class SceneAutosaveTest {
     assertEquals(Mobility.MOVABLE, saved.placements().get(1).mobility());
     assertEquals("block", saved.rest().segments().get(1).name());
     assertEquals(CoordinateSystem.LPS, saved.world());
-    assertSameVoxels(floor, saved.rest().segments().get(0).bits());
-    assertSameVoxels(block, saved.rest().segments().get(1).bits());
+    SameVoxels.require(floor, saved.rest().segments().get(0).bits(), "floor");
+    SameVoxels.require(block, saved.rest().segments().get(1).bits(), "block");
     Files.delete(folder.resolve("jaw.autosave.nrrd"));
     Files.delete(target.file());
     autosave.save(poses(2), FREE);
@@ -176,15 +172,15 @@ class SceneAutosaveTest {
     autosave.save(poses(1), FREE);
     block.clear(8, 8, 8);
     autosave.save(poses(1), FREE);
-    assertSameVoxels(block, saved().rest().segments().get(1).bits());
+    SameVoxels.require(block, saved().rest().segments().get(1).bits(), "block");
     BitCube before = block.copy();
     block.clear(9, 8, 8);
-    assertSameVoxels(before, saved().rest().segments().get(1).bits());
+    SameVoxels.require(before, saved().rest().segments().get(1).bits(), "as saved before");
     autosave.save(poses(1), FREE);
-    assertSameVoxels(block, saved().rest().segments().get(1).bits());
+    SameVoxels.require(block, saved().rest().segments().get(1).bits(), "block");
     block.set(8, 8, 8);
     autosave.save(poses(1), FREE);
-    assertSameVoxels(block, saved().rest().segments().get(1).bits());
+    SameVoxels.require(block, saved().rest().segments().get(1).bits(), "block");
   }
 
   @Test
@@ -202,7 +198,7 @@ class SceneAutosaveTest {
     assertEquals(List.of("block"), left.names());
     assertTrue(left.poses().get(0).sameBits(poses(2).get(1)));
     assertEquals(Mobility.MOVABLE, left.placements().get(0).mobility());
-    assertSameVoxels(block, left.rest().segments().get(0).bits());
+    SameVoxels.require(block, left.rest().segments().get(0).bits(), "block");
     assertTrue(left.groups().orElseThrow().isLocked(0));
     whole.forEachRimVoxel(floor::set);
     autosave.save(poses(3), FREE);
