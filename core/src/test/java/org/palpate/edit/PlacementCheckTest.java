@@ -119,15 +119,17 @@ class PlacementCheckTest {
 
   @Test
   void bodiesThatStandWhereTheyStoodNeedNoLook() {
-    assertTrue(history.undo(1));
-    assertEquals(0, line.pose(0).translation.x);
-    assertEquals(0, line.lookedAt);
+    assertUndoneWithoutALook();
   }
 
   @Test
   void aBodyThatWentAndCameBackToTheBitNeedsNoLook() {
     line.moveTo(1, 0.5);
     line.moveTo(1, 10);
+    assertUndoneWithoutALook();
+  }
+
+  private void assertUndoneWithoutALook() {
     assertTrue(history.undo(1));
     assertEquals(0, line.pose(0).translation.x);
     assertEquals(0, line.lookedAt);
