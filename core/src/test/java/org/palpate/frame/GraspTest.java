@@ -34,9 +34,10 @@ class GraspTest extends HeldBlocks {
   private final ScriptedDevice device = new ScriptedDevice(this::sample);
   private final ToolFrame frame = newFrame(device, bodies, edits, 64);
 
-  private ReadStatus sample(int read, DeviceState state) {
+  @Override
+  ReadStatus sample(int read, DeviceState state) {
     state.orientation.set(turn);
-    return ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
+    return super.sample(read, state);
   }
 
   @Override

@@ -6,7 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
+import org.palpate.device.DeviceState;
 import org.palpate.device.HapticDevice;
+import org.palpate.device.ReadStatus;
 import org.palpate.edit.EditQueue;
 import org.palpate.force.ForceSettings;
 import org.palpate.geometry.Pose;
@@ -19,6 +21,7 @@ import org.palpate.rigid.RigidSettings;
 import org.palpate.rigid.RigidSolver;
 import org.palpate.rigid.tool.RigidTool;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.ScriptedDevice;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
 
@@ -32,6 +35,11 @@ abstract class HeldBlocks {
   private long nowNanos = 1;
 
   abstract ToolFrame frame();
+
+  /** Fills {@code state} with a fresh sample of the hand, for read number {@code read}. */
+  ReadStatus sample(int read, DeviceState state) {
+    return ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
+  }
 
   /**
    * Makes a cuboid.
@@ -102,5 +110,14 @@ abstract class HeldBlocks {
     frame().requestTake();
     run(1);
     assertEquals(1, frame().heldBody());
+  }
+
+  /** Takes the block, lets it go when the hand is at a height, and raises the hand farther. */
+  final void placeBlockAbove(double z) {
+    takeBlock();
+    moveTo(20, 20, z);
+    frame().requestLetGo();
+    run(1);
+    moveTo(20, 20, z + 15);
   }
 }

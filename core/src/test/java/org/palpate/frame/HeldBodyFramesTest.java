@@ -65,11 +65,12 @@ class HeldBodyFramesTest extends HeldBlocks {
   private boolean jumps;
   private ToolFrame frame = newFrame(device, bodies, edits, 64);
 
-  private ReadStatus sample(int read, DeviceState state) {
+  @Override
+  ReadStatus sample(int read, DeviceState state) {
     state.orientation.set(turn);
     state.buttons = buttons;
     state.relocated = jumps;
-    return ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
+    return super.sample(read, state);
   }
 
   @Override

@@ -38,8 +38,9 @@ class JoinedBodiesTest extends HeldBlocks {
     return frame;
   }
 
-  private ReadStatus sample(int read, DeviceState state) {
-    ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
+  @Override
+  ReadStatus sample(int read, DeviceState state) {
+    super.sample(read, state);
     return status;
   }
 

@@ -11,8 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
-import org.palpate.device.DeviceState;
-import org.palpate.device.ReadStatus;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
 import org.palpate.geometry.Pose;
@@ -33,10 +31,6 @@ class LargePlacementTest extends HeldBlocks {
   @Override
   ToolFrame frame() {
     return frame;
-  }
-
-  private ReadStatus sample(int read, DeviceState state) {
-    return ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
   }
 
   @Test
@@ -102,11 +96,7 @@ class LargePlacementTest extends HeldBlocks {
   }
 
   private void placeBlockAboveWhileTheOtherComesNear() {
-    takeBlock();
-    moveTo(20, 20, 60);
-    frame.requestLetGo();
-    run(1);
-    moveTo(20, 20, 75);
+    placeBlockAbove(60);
     Pose goal = Pose.at(40, 4, -16); // 4 mm beside where the block was
     frame.requestPose(2, goal);
     run(400);

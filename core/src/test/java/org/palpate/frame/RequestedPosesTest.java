@@ -42,12 +42,13 @@ class RequestedPosesTest extends HeldBlocks {
     return frame;
   }
 
-  private ReadStatus sample(int read, DeviceState state) {
+  @Override
+  ReadStatus sample(int read, DeviceState state) {
     hand.set(
         Math.max(0, Math.min(40, hand.x + ofHand.nextDouble(-1, 1))),
         Math.max(0, Math.min(40, hand.y + ofHand.nextDouble(-1, 1))),
         Math.max(0, Math.min(25, hand.z + ofHand.nextDouble(-1, 1))));
-    return ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
+    return super.sample(read, state);
   }
 
   @Test

@@ -9,8 +9,6 @@ import org.junit.jupiter.api.Test;
 import org.palpate.body.Body;
 import org.palpate.body.BodyScene;
 import org.palpate.body.Mobility;
-import org.palpate.device.DeviceState;
-import org.palpate.device.ReadStatus;
 import org.palpate.edit.EditQueue;
 import org.palpate.edit.HistoryEdit;
 import org.palpate.geometry.Pose;
@@ -31,10 +29,6 @@ class UndonePlacementTest extends HeldBlocks {
   @Override
   ToolFrame frame() {
     return frame;
-  }
-
-  private ReadStatus sample(int read, DeviceState state) {
-    return ScriptedDevice.fresh(state, read, hand.x, hand.y, hand.z);
   }
 
   @Test
@@ -129,11 +123,7 @@ class UndonePlacementTest extends HeldBlocks {
   }
 
   private void placeBlockAbove() {
-    takeBlock();
-    moveTo(20, 20, 30);
-    frame.requestLetGo();
-    run(1);
-    moveTo(20, 20, 45);
+    placeBlockAbove(30);
     assertTrue(block.pose().translation.z > 20, block.pose()::toString);
   }
 
