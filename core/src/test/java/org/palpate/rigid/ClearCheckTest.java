@@ -17,6 +17,7 @@ import org.palpate.raycast.ExactRayCaster;
 import org.palpate.rigid.BodyMover.ClearCheck;
 import org.palpate.rigid.BodyMover.ClearCheck.Answer;
 import org.palpate.rigid.tool.ToolSampler;
+import org.palpate.testing.RandomGeometry;
 import org.palpate.testing.Seeds;
 import org.palpate.volume.BitCube;
 import org.palpate.volume.VoxelGrid;
@@ -82,16 +83,12 @@ class ClearCheckTest {
     return body;
   }
 
-  /** Returns a pose that puts the middle of a body at most so far from the middle of the grid. */
+  /** Returns a pose that moves the middle of a body at most so far along each axis. */
   private Pose somewhere(double mostMm) {
     Pose pose = new Pose();
     pose.rotation.setRotationVector(
         new Vec3(random.nextDouble(2), random.nextDouble(2), random.nextDouble(2)));
-    Vec3 away =
-        new Vec3(
-            random.nextDouble(-mostMm, mostMm),
-            random.nextDouble(-mostMm, mostMm),
-            random.nextDouble(-mostMm, mostMm));
+    Vec3 away = RandomGeometry.vector(random, mostMm);
     MIDDLE.add(away, away).sub(pose.rotation.rotate(MIDDLE, new Vec3()), pose.translation);
     return ReferencePose.snap(pose);
   }
