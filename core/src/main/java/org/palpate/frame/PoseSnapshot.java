@@ -14,7 +14,7 @@ import org.palpate.geometry.Pose;
 public final class PoseSnapshot {
   private final BodyScene bodies;
 
-  /** The haptic thread writes them while they are requested, and the other thread reads then. */
+  /** The haptic thread writes them while they are requested; the other thread reads them else. */
   private final List<Pose> poses = new ArrayList<>();
 
   private volatile boolean requested;
@@ -32,7 +32,9 @@ public final class PoseSnapshot {
     requested = true;
   }
 
-  /** {@return whether a frame has copied the poses since the last request} */
+  /**
+   * {@return whether no request is left: a frame has copied the poses since the last one, if any}
+   */
   public boolean isReady() {
     return !requested;
   }

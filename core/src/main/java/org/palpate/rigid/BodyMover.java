@@ -316,9 +316,10 @@ public final class BodyMover {
   }
 
   /**
-   * Checks, a part at a time, whether a body at a pose would keep its whole clearance from another
-   * one, and neither would enclose the other. The other stays where it is; if it moves meanwhile,
-   * or a voxel of the two changes, the answer means nothing. Haptic thread, between two frames.
+   * Checks whether a body at a pose would keep its whole clearance from another one, and neither
+   * would enclose the other. Each call checks a part. The other stays where it is; if it moves
+   * meanwhile, or a voxel of the two changes, the answer means nothing. Haptic thread, between two
+   * frames.
    */
   public static final class ClearCheck {
     /** More than the rounding of the place of a node, cells. */

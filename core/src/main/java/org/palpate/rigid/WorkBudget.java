@@ -5,7 +5,7 @@ package org.palpate.rigid;
  * counted as if nothing were skipped, so that results are the same with and without skips.
  *
  * <p>It also says which lifts and which steps along faces of voxels a frame may try. While the
- * device moves and lifts do not help, they become rarer. Haptic thread only.
+ * device moves and lifts do not help, lifts become rarer. Haptic thread only.
  */
 final class WorkBudget {
   /** The work of solving a nearest-point problem. */

@@ -88,7 +88,7 @@ class FrameAllocationTest {
   private final List<Long> allocated = new ArrayList<>(MAX_ROUNDS);
   private final Edit[] waiting = new Edit[MAX_ROUNDS * FRAMES / 100];
 
-  /** Whether the frames have done by now all that a round without an allocation must hold for. */
+  /** Whether the frames have already done all that has to allocate nothing. */
   private BooleanSupplier isComplete = () -> true;
 
   @Test

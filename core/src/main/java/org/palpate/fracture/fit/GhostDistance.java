@@ -8,9 +8,9 @@ import org.palpate.volume.fracture.PosedBits;
 /**
  * Distances from the surface of a fragment to that of a ghost, such as the mirrored healthy side.
  * Each is measured at a point of the fragment along its normal, outwards or inwards. A point counts
- * if it meets the surface of the ghost near by, which looks the same way there and does not lie
- * nearer to another part of the fragment. So fracture faces, which lie inside a ghost that is
- * whole, do not count.
+ * if it meets the surface of the ghost near by. That surface has to look the same way there, and no
+ * other part of the fragment may lie clearly nearer to it. So fracture faces, which lie inside a
+ * ghost that is whole, do not count.
  *
  * @param meanMm mean distance; NaN if no point counts
  * @param mostlyMm the distance that 95 % of the points do not exceed, likewise; unlike the largest,

@@ -98,8 +98,8 @@ class SliceOutlineTest {
     }
 
     /**
-     * Returns the distance to the outline before the nearest pixel that is solid in both slices, of
-     * equally near ones that of the fewest rows away.
+     * Returns the distance to the outline before the nearest pixel that is solid in both slices. Of
+     * equally near ones, takes the one the fewest rows away.
      */
     double distance(int u, int v, int w, int other, PixelEdges edges, int reach) {
       double nearest = (reach + 1) * (reach + 1);
