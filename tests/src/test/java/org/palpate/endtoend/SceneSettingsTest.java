@@ -16,7 +16,7 @@ import org.palpate.geometry.Vec3;
 import org.palpate.io.VolumeFiles;
 import org.palpate.io.volume.ReadOptions;
 
-/** What a scene file says about its bodies and its tool, as its replay shows it. */
+/** Settings that a scene file gives its bodies and its tool, in a replay. */
 class SceneSettingsTest {
   @TempDir private Path folder;
 
